@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <rtt/transports/corba/ApplicationServer.hpp>
+
+#include <rtt/Logger.hpp>
+#include <rtt/transports/corba/detail/end_point.hpp>
+#include <rtt/transports/corba/detail/orb_run.hpp>
+
+#include <cstdlib>
+#include <cstring>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace RTT::corba {
+
+CORBA::ORB_var ApplicationServer::orb;
+PortableServer::POA_var ApplicationServer::rootPOA;
+
+namespace {
+
+/** What the command line and the environment say about the ORB. Its own defaults are for whatever they leave open. */
+class OrbOptions {
+public:
+    OrbOptions(int argc, char* argv[]) : arguments_(argv, argv + argc) {}
+
+    bool has(const std::string& option) const {
+        if (std::getenv(("ORB" + option).c_str())) return true;
+        for (const std::string& argument : arguments_)
+            if (argument.compare(0, 4 + option.size(), "-ORB" + option) == 0) return true;
+        return false;
+    }
+    /** The naming service's host, if it is known. */
+    std::string nameServiceHost() const {
+        for (const std::string& argument : arguments_)
+            if (argument.compare(0, 12, "NameService=") == 0) return detail::hostOfReference(argument);
+        const char* const fromEnvironment = std::getenv("ORBInitRef");
+        return fromEnvironment ? detail::hostOfReference(fromEnvironment) : "";
+    }
+    void setDefault(const std::string& option, const std::string& value) {
+        if (!has(option)) defaults_.emplace_back(option, value);
+    }
+    const std::vector<std::pair<std::string, std::string>>& defaults() const { return defaults_; }
+
+private:
+    const std::vector<std::string> arguments_;
+    std::vector<std::pair<std::string, std::string>> defaults_;
+};
+
+/** Other computers can connect if the naming service is on one of them. */
+void chooseEndPoint(OrbOptions& options) {
+    if (options.has("endPoint")) return;
+    const std::string host = options.nameServiceHost();
+    const std::string address = host.empty() ? std::string() : detail::addressTowards(host);
+    if (address.empty() || detail::isLoopback(address)) return options.setDefault("endPoint", "giop:tcp:127.0.0.1:");
+    options.setDefault("endPoint", "giop:tcp:" + address + ":");
+    log(Info) << "the naming service is on " << host << ", so other computers can connect to " << address << endlog();
+}
+
+std::string milliseconds(Seconds time) { return std::to_string(static_cast<long>(time * 1000)); }
+
+CORBA::ORB_ptr makeOrb(int& argc, char* argv[], const OrbOptions& options) {
+    typedef const char* Option[2];
+    std::vector<const char*> flat;
+    for (const auto& [name, value] : options.defaults()) {
+        flat.push_back(name.c_str());
+        flat.push_back(value.c_str());
+    }
+    flat.push_back(nullptr);
+    flat.push_back(nullptr);
+    return CORBA::ORB_init(argc, argv, "omniORB4", reinterpret_cast<Option*>(flat.data()));
+}
+
+}  // namespace
+
+bool ApplicationServer::InitOrb(int argc, char* argv[], Seconds orb_timeout) {
+    const Logger::In in("ApplicationServer");
+    if (!CORBA::is_nil(orb)) return false;
+    OrbOptions options(argc, argv);
+    chooseEndPoint(options);
+    options.setDefault("giopMaxMsgSize", "268435456");       // samples may be large
+    options.setDefault("maxGIOPConnectionPerServer", "50");  // calls that wait do not hold up others
+    options.setDefault("clientConnectTimeOutPeriod",
+                       "3000");  // ms; an unreachable computer is none for minutes otherwise
+    options.setDefault("nativeCharCodeSet", "ISO-8859-1");
+    if (orb_timeout > 0) options.setDefault("clientCallTimeOutPeriod", milliseconds(orb_timeout));
+    try {
+        orb = makeOrb(argc, argv, options);
+        const CORBA::Object_var object = orb->resolve_initial_references("RootPOA");
+        rootPOA = PortableServer::POA::_narrow(object);
+        const PortableServer::POAManager_var manager = rootPOA->the_POAManager();
+        manager->activate();
+        detail::beginRun();
+        return true;
+    } catch (const CORBA::Exception& error) {
+        log(Error) << "the ORB cannot be started: " << error._name()
+                   << "; the arguments after -- are those of omniORB, such as -ORBInitRef NameService=…" << endlog();
+    }
+    orb = CORBA::ORB::_nil();
+    rootPOA = PortableServer::POA::_nil();
+    return false;
+}
+
+}  // namespace RTT::corba

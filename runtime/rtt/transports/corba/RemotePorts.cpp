@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <rtt/transports/corba/RemotePorts.hpp>
+
+#include <rtt/DataFlowInterface.hpp>
+#include <rtt/Logger.hpp>
+#include <rtt/Service.hpp>
+#include <rtt/internal/ConnFactory.hpp>
+#include <rtt/internal/ConnectionManager.hpp>
+#include <rtt/transports/corba/CorbaConnPolicy.hpp>
+#include <rtt/transports/corba/CorbaLib.hpp>
+#include <rtt/transports/corba/RemoteConnID.hpp>
+#include <rtt/transports/corba/ServiceC.h>
+#include <rtt/transports/corba/detail/expected_channel.hpp>
+#include <rtt/transports/corba/detail/lost_connections.hpp>
+#include <rtt/transports/corba/detail/remote_channel.hpp>
+#include <rtt/transports/corba/detail/remote_peer.hpp>
+#include <rtt/transports/corba/detail/served_components.hpp>
+#include <rtt/transports/corba/detail/serving.hpp>
+#include <rtt/types/TypeInfo.hpp>
+
+#include <optional>
+#include <stdexcept>
+
+namespace RTT::corba {
+
+namespace {
+
+using detail::RemoteChannel;
+
+ConnPolicy completed(const ConnPolicy& policy) {
+    ConnPolicy made = policy;
+    if (made.buffer_policy == UnspecifiedBufferPolicy) made.buffer_policy = PerConnection;
+    if (made.buffer_policy == PerInputPort) made.pull = ConnPolicy::PUSH;
+    if (made.buffer_policy == PerOutputPort) made.pull = ConnPolicy::PULL;
+    return made;
+}
+
+/** The reference of the interface of a port of this process; nil, with an error logged, if it belongs to no
+    component. */
+CDataFlowInterface_var interfaceOf(const base::PortInterface& port) {
+    const DataFlowInterface* const own = port.getInterface();
+    if (own && own->getService()) {
+        const CService_var service = detail::serve(*own->getService());
+        if (!CORBA::is_nil(service)) return CDataFlowInterface::_duplicate(service);
+    }
+    log(Error) << "port " << port.getFullName()
+               << " cannot be connected with another process: it belongs to no component" << endlog();
+    return CDataFlowInterface::_nil();
+}
+
+}  // namespace
+
+template <class Base>
+RemotePort<Base>::RemotePort(const types::TypeInfo* type, CDataFlowInterface_ptr interface, const std::string& name)
+    : Base(name), lost_(std::make_shared<detail::LostConnections>()), type_(type) {
+    attach(interface);
+}
+
+template <class Base>
+RemotePort<Base>::~RemotePort() {
+    attach(CDataFlowInterface::_nil());
+}
+
+template <class Base>
+void RemotePort<Base>::attach(CDataFlowInterface_ptr interface) {
+    const CDataFlowInterface_var own = detail::limited<CDataFlowInterface>(interface);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    interface_ = own;
+}
+
+template <class Base>
+CDataFlowInterface_ptr RemotePort<Base>::getDataFlowInterface() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return CDataFlowInterface::_duplicate(interface_);
+}
+
+template <class Base>
+template <class Result, class Call>
+Result RemotePort<Base>::ask(const char* wanted, Result otherwise, Call call) const {
+    const CDataFlowInterface_var interface = getDataFlowInterface();
+    if (CORBA::is_nil(interface)) return otherwise;
+    try {
+        return detail::whileServing([&] { return call(interface.in()); });
+    } catch (const CORBA::Exception& error) {
+        log(Error) << "port " << this->getFullName() << " of another process " << wanted << ": "
+                   << detail::describe(error) << endlog();
+        return otherwise;
+    }
+}
+
+template <class Base>
+int RemotePort<Base>::serverProtocol() const {
+    return ORO_CORBA_PROTOCOL_ID;
+}
+
+template <class Base>
+bool RemotePort<Base>::connected() const {
+    return ask("does not tell whether it is connected", false, [this](CDataFlowInterface_ptr interface) -> bool {
+        return interface->isConnected(this->getName().c_str());
+    });
+}
+
+template <class Base>
+bool RemotePort<Base>::connectedTo(base::PortInterface* port) const {
+    if (!port || !port->isLocal()) return false;
+    const CDataFlowInterface_var interface = getDataFlowInterface();
+    if (CORBA::is_nil(interface)) return false;
+    const RemoteConnID id(interface, this->getName());
+    for (const auto& connection : port->getManager()->getConnections())
+        if (id.isSameID(*connection.template get<0>())) return true;
+    return false;
+}
+
+template <class Base>
+void RemotePort<Base>::disconnect() {
+    (void)ask("is not disconnected", false, [this](CDataFlowInterface_ptr interface) {
+        interface->disconnectPort(this->getName().c_str());
+        return true;
+    });
+}
+
+template <class Base>
+bool RemotePort<Base>::disconnect(base::PortInterface* port) {
+    if (!port) return false;
+    if (port->isLocal()) {
+        const RemoteConnID id(CDataFlowInterface_var(getDataFlowInterface()), this->getName());
+        return port->getManager()->removeConnection(&id);
+    }
+    auto* const output =
+        dynamic_cast<RemoteOutputPort*>(this->asOutput() ? static_cast<base::PortInterface*>(this) : port);
+    auto* const input =
+        dynamic_cast<RemoteInputPort*>(this->asOutput() ? port : static_cast<base::PortInterface*>(this));
+    if (!output || !input) return false;
+    return ask("is not disconnected", false, [&](CDataFlowInterface_ptr) -> bool {
+        const CDataFlowInterface_var from = output->getDataFlowInterface(), to = input->getDataFlowInterface();
+        return !CORBA::is_nil(from) && from->removeConnection(output->getName().c_str(), to, input->getName().c_str());
+    });
+}
+
+template <class Base>
+bool RemotePort<Base>::createStream(ConnPolicy const& policy) {
+    return ask("has no stream", false, [&](CDataFlowInterface_ptr interface) -> bool {
+        CConnPolicy given = toCORBA(policy);
+        const bool created = interface->createStream(this->getName().c_str(), given);
+        policy.name_id = given.name_id.in();
+        policy.data_size = given.data_size;
+        return created;
+    });
+}
+
+template <class Base>
+void RemotePort<Base>::lost() {
+    lost_->ended();
+}
+
+template <class Base>
+void RemotePort<Base>::restore() {
+    lost_->restore([this](base::PortInterface& port, const ConnPolicy& policy) {
+        return connectedTo(&port) || port.connectTo(this, policy);
+    });
+}
+
+template class RemotePort<base::InputPortInterface>;
+template class RemotePort<base::OutputPortInterface>;
+
+namespace {
+
+/** By a stream of another transport, whose ends both processes make. */
+bool joinOutOfBand(base::OutputPortInterface& output, CDataFlowInterface_ptr interface, const std::string& input,
+                   const ConnPolicy& policy) {
+    if (!output.createStream(policy)) return false;
+    const internal::StreamConnID stream(policy.name_id);
+    CConnPolicy given = toCORBA(policy);
+    const CChannelElement_var element = interface->buildChannelOutput(input.c_str(), given);
+    if (!CORBA::is_nil(element) && element->channelReady(given)) return true;
+    (void)output.getManager()->removeConnection(&stream);
+    return false;
+}
+
+}  // namespace
+
+// The channel in this process comes first, so that the other one knows both ends when it is ready.
+bool RemoteInputPort::connectFrom(base::OutputPortInterface& output, ConnPolicy const& policy) {
+    const ConnPolicy wanted = completed(policy);
+    const types::TypeInfo* const type = output.getTypeInfo();
+    if (!type || type != getTypeInfo()) {
+        log(Error) << "output port " << output.getFullName() << " of type "
+                   << (type ? type->getTypeName() : std::string("unknown_t")) << " is not compatible with input port "
+                   << getFullName() << " of type " << (getTypeInfo() ? getTypeInfo()->getTypeName() : "unknown_t")
+                   << " of another process" << endlog();
+        return false;
+    }
+    return ask("cannot be connected", false, [&](CDataFlowInterface_ptr interface) -> bool {
+        if (wanted.transport != 0 && wanted.transport != ORO_CORBA_PROTOCOL_ID) {
+            const bool joined = joinOutOfBand(output, interface, getName(), wanted);
+            policy.name_id = wanted.name_id;
+            return joined;
+        }
+        CConnPolicy given = toCORBA(wanted);
+        const CChannelElement_var element = interface->buildChannelOutput(getName().c_str(), given);
+        const CRemoteChannelElement_var remote = CRemoteChannelElement::_narrow(element);
+        const RemoteChannel::Pointer channel =
+            CORBA::is_nil(remote)
+                ? nullptr
+                : RemoteChannel::make(RemoteChannel::End::Writer, *type, wanted, output.getFullName());
+        if (!channel) return false;
+        channel->setRemoteSide(remote);
+        channel->whenEnded(lost_->remember(output, policy));
+        const base::ChannelElementBase::shared_ptr storage = internal::ConnFactory::makeChannelInput(output, wanted);
+        if (!storage) return false;
+        storage->connectTo(channel);
+        remote->setRemoteSide(CRemoteChannelElement_var(channel->reference()));
+        if (!remote->channelReady(given)) {
+            channel->leave();
+            return false;
+        }
+        policy.name_id = given.name_id.in();
+        return output.addConnection(new RemoteConnID(interface, getName(), getFullName()), storage, wanted);
+    });
+}
+
+base::DataSourceBase* RemoteInputPort::getDataSource() {
+    throw std::runtime_error("a port of another process cannot be read");
+}
+base::DataSourceBase* RemoteOutputPort::getDataSource() const {
+    throw std::runtime_error("a port of another process cannot be read");
+}
+
+bool RemoteOutputPort::createConnection(base::InputPortInterface& sink, ConnPolicy const& policy) {
+    auto* const remote = dynamic_cast<RemoteInputPort*>(&sink);
+    const CDataFlowInterface_var theirs =
+        remote ? CDataFlowInterface_var(remote->getDataFlowInterface()) : interfaceOf(sink);
+    if (CORBA::is_nil(theirs)) return false;
+    return ask("cannot be connected", false, [&](CDataFlowInterface_ptr interface) -> bool {
+        std::optional<detail::ExpectedChannel> expected;
+        if (!remote)
+            expected.emplace(sink, RemoteConnID(interface, getName(), getFullName()), lost_->remember(sink, policy));
+        CConnPolicy given = toCORBA(completed(policy));
+        const bool connected = interface->createConnection(getName().c_str(), theirs, sink.getName().c_str(), given);
+        policy.name_id = given.name_id.in();
+        policy.data_size = given.data_size;
+        return connected;
+    });
+}
+
+base::PortInterface* RemoteInputPort::clone() const { return getTypeInfo()->inputPort(getName()); }
+base::PortInterface* RemoteInputPort::antiClone() const { return getTypeInfo()->outputPort(getName()); }
+base::PortInterface* RemoteOutputPort::clone() const { return getTypeInfo()->outputPort(getName()); }
+base::PortInterface* RemoteOutputPort::antiClone() const { return getTypeInfo()->inputPort(getName()); }
+
+}  // namespace RTT::corba

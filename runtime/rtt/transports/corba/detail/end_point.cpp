@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <rtt/transports/corba/detail/end_point.hpp>
+
+#include <memory>
+
+#include <arpa/inet.h>
+#include <netdb.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+namespace RTT::corba::detail {
+
+std::string hostOfReference(const std::string& reference) {
+    for (const char* const scheme : {"corbaloc:iiop:", "corbaloc::", "corbaname:iiop:", "corbaname::"}) {
+        const std::size_t at = reference.find(scheme);
+        if (at == std::string::npos) continue;
+        std::string host = reference.substr(at + std::string(scheme).size());
+        const std::size_t version = host.find('@');  // "1.2@host"
+        if (version != std::string::npos) host.erase(0, version + 1);
+        if (!host.empty() && host[0] == '[') return host.substr(1, host.find(']') - 1);
+        return host.substr(0, host.find_first_of(":/#,"));
+    }
+    return {};
+}
+
+std::string addressTowards(const std::string& host) {
+    addrinfo hints{};
+    hints.ai_family = AF_INET;
+    hints.ai_socktype = SOCK_DGRAM;
+    addrinfo* found = nullptr;
+    if (getaddrinfo(host.c_str(), "2809", &hints, &found) != 0 || !found) return {};
+    const std::unique_ptr<addrinfo, void (*)(addrinfo*)> owned(found, freeaddrinfo);
+    // Nothing is sent: connecting only chooses the address.
+    const int plug = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+    sockaddr_in own{};
+    socklen_t size = sizeof own;
+    const bool known = plug != -1 && connect(plug, found->ai_addr, found->ai_addrlen) == 0 &&
+                       getsockname(plug, reinterpret_cast<sockaddr*>(&own), &size) == 0;
+    if (plug != -1) close(plug);
+    char text[INET_ADDRSTRLEN] = "";
+    return known && inet_ntop(AF_INET, &own.sin_addr, text, sizeof text) ? text : std::string();
+}
+
+bool isLoopback(const std::string& address) { return address.compare(0, 4, "127.") == 0; }
+
+}  // namespace RTT::corba::detail
