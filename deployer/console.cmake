@@ -41,4 +41,7 @@ set_target_properties(orocos-ocl-taskbrowser PROPERTIES
   OUTPUT_NAME orocos-ocl-taskbrowser-${OROCOS_TARGET} VERSION ${PROJECT_VERSION}
   SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
   INSTALL_RPATH "$ORIGIN;$ORIGIN/orocos/${OROCOS_TARGET}/plugins")
-target_link_libraries(deployer PRIVATE orocos-ocl-taskbrowser)
+
+add_library(oroforge_console_stay OBJECT bin/console_stay.cpp)
+target_link_libraries(oroforge_console_stay PUBLIC oroforge_deployer_program orocos-ocl-taskbrowser)
+target_link_libraries(deployer PRIVATE oroforge_console_stay orocos-ocl-taskbrowser)

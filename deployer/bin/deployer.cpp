@@ -2,35 +2,7 @@
 // Copyright Oroforge contributors
 // deployer-<target>: deploys the files of the command line and runs until the user leaves the console or a signal
 // comes.
-#include "program.hpp"
-
-#include "../console/kept_terminal.hpp"
-
-#include <ocl/DeploymentComponent.hpp>
-#include <ocl/TaskBrowser.hpp>
-#include <rtt/Logger.hpp>
-#include <rtt/os/SignalCatcher.hpp>
-
-namespace {
-
-/** On a terminal, stays even after a failure, so that the user can look into it. */
-bool stay(OCL::DeploymentComponent& deployer, OCL::deploy::SignalCatcher& ending, const OCL::deploy::Options& options,
-          bool deployed) {
-    if (!deployed && (options.daemon || !OCL::TaskBrowser::onTerminal())) return true;
-    bool succeeded = true;
-    if (!options.daemon) {
-        OCL::TaskBrowser browser(&deployer);
-        browser.endOn(ending.descriptor());
-        RTT::os::beforeSecondSignal(&OCL::console::restoreTerminal);
-        browser.loop();
-        succeeded = !browser.failed();
-        if (!ending.caught()) return succeeded;
-    }
-    RTT::log(RTT::Info) << "ending on signal " << ending.wait() << RTT::endlog();
-    return succeeded;
-}
-
-}  // namespace
+#include "console_stay.hpp"
 
 int main(int argc, char** argv) {
     const OCL::deploy::ProgramText text = {
@@ -39,5 +11,5 @@ int main(int argc, char** argv) {
         "console is on the terminal; without one, commands are read from standard input,\n"
         "at whose end it is left. With --daemon there is none.",
         /*needsFiles=*/false};
-    return OCL::deploy::runProgram(argc, argv, text, &stay);
+    return OCL::deploy::runProgram(argc, argv, {text, &OCL::deploy::stayAtConsole});
 }

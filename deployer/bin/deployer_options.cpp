@@ -57,7 +57,8 @@ const struct {
      "keep all memory of the process in RAM (mlockall); where that is not allowed, a warning says so, and the program "
      "goes on"},
     {"minNumberCPU", Takes::Number, "end with exit status 254 if this process has fewer processors"},
-    {"require-name-service", Takes::Nothing, "for programs with CORBA; has no effect here"},
+    {"require-name-service", Takes::Nothing,
+     "fail without a naming service that takes the names; only for programs with CORBA, such as cdeployer"},
     {"rtalloc-mem-size", Takes::Word, "size of the pool of real-time memory, with k, m or g for units; default: 512k"},
     {"max-elements", Takes::Number,
      "how many elements scripts may ask for at once, as 'var array a(100)' does; default: 10000000"},
@@ -209,6 +210,7 @@ bool takeValues(const po::variables_map& values, const std::vector<std::string>&
     }
     options.daemon = values.count("daemon") != 0 && !options.endsAtOnce();
     options.realTimeCheck = values.count("rt-check") != 0;
+    options.requireNameService = values.count("require-name-service") != 0;
     options.lockMemory = values.count("lock-memory") != 0;
     if (options.realTimeCheck && options.endsAtOnce())
         error = "--rt-check watches components that run, which --check and --dry-run do not start";

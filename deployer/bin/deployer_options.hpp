@@ -30,6 +30,7 @@ struct Options {
     bool daemon = false;
     bool realTimeCheck = false;
     bool lockMemory = false;
+    bool requireNameService = false;
     int minimumProcessors = 0;
     std::size_t realTimeMemory = 0;  // bytes; 0: not given
     std::size_t maxElements = 0;     // 0: not given
@@ -42,7 +43,7 @@ struct Options {
 /** Parses the command line. False, with the reason, if it is invalid. */
 bool parseOptions(int argc, char** argv, Options& options, std::string& error);
 
-/** How a program differs from others with the same command line. */
+/** What --help says of a program with this command line. */
 struct ProgramText {
     const char* purpose;
     bool needsFiles;  // without files, it has nothing to do

@@ -109,7 +109,15 @@ void printSummary(const DeploymentComponent& deployer) {
     if (!planned.empty()) std::cout << planned << ": ok; scripts not executed" << std::endl;
 }
 
-int deploy(const Options& options, Stay stay, ProgramReport& report) {
+/** Ends what the program has begun beside the deployer. */
+struct AtEnd {
+    ~AtEnd() {
+        if (end) end();
+    }
+    void (*end)();
+};
+
+int deploy(const Options& options, const Program& program, std::vector<char*>& words, ProgramReport& report) {
     // Catches signals from now on, so that one during start-up ends the program in order, too.
     std::optional<SignalCatcher> ending;
     ending.emplace(std::initializer_list<int>{SIGINT, SIGTERM, SIGHUP});
@@ -117,18 +125,17 @@ int deploy(const Options& options, Stay stay, ProgramReport& report) {
     RTT::internal::FailureReport::setStrict(options.strict);
     setLenient(options.lenient);
     if (options.maxElements != 0) RTT::types::setSizeLimit(options.maxElements);
-    using Purpose = DeploymentComponent::Purpose;
-    DeploymentComponent deployer(options.name, options.siteFile,
-                                 options.dryRun  ? Purpose::PlanOnly
-                                 : options.check ? Purpose::Check
-                                                 : Purpose::Deploy);
+    const AtEnd atEnd{program.end};
+    const std::unique_ptr<DeploymentComponent> made = program.make(options, words);
+    if (!made) return kFailure;
+    DeploymentComponent& deployer = *made;
     const bool deployed =
         deployFiles(deployer, *ending, options, report) && writeGraph(deployer, options.graphFile, report);
     if (options.dryRun && deployed) printSummary(deployer);
     scriptEnd.reset();  // scripts of the shutdown have a limit of their own
     bool succeeded = deployed;
     if (!options.endsAtOnce()) {
-        succeeded = stay(deployer, *ending, options, deployed) && deployed;
+        succeeded = program.stay(deployer, *ending, options, deployed) && deployed;
         ending.reset();  // so that the next signal ends a shutdown that hangs
         deployer.shutdownDeployment();
     }
@@ -142,15 +149,15 @@ int processors() {
     return sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : 1;
 }
 
-int runWithRuntime(const std::vector<char*>& words, const Options& options, Stay stay, ProgramReport& report) {
-    if (__os_init(static_cast<int>(words.size()) - 1, const_cast<char**>(words.data())) != 0) {
+int runWithRuntime(std::vector<char*> words, const Options& options, const Program& program, ProgramReport& report) {
+    if (__os_init(static_cast<int>(words.size()) - 1, words.data()) != 0) {
         report.error(words.front(), "the runtime does not start");
         return kFailure;
     }
     reportCrashes();
     int status = kFailure;
     try {
-        status = deploy(options, stay, report);
+        status = deploy(options, program, words, report);
     } catch (const std::exception& thrown) {
         RTT::log(RTT::Critical) << "uncaught exception: " << thrown.what() << RTT::endlog();
     }
@@ -178,7 +185,7 @@ int printInformation(const Options& options, const ProgramText& text, const std:
     return oroforge::diag::arrived(std::cout, std::cerr, program) ? 0 : kFailure;
 }
 
-int run(int argc, char** argv, const Options& options, Stay stay, ProgramReport& report) {
+int run(int argc, char** argv, const Options& options, const Program& program, ProgramReport& report) {
     if (processors() < options.minimumProcessors) {
         report.error("", std::to_string(options.minimumProcessors) + " processors are needed, and this process has " +
                              std::to_string(processors()));
@@ -201,7 +208,7 @@ int run(int argc, char** argv, const Options& options, Stay stay, ProgramReport&
         if (const std::string problem = lockMemory(); !problem.empty()) report.warning(problem);
     if (options.logLevel >= 0) RTT::Logger::Instance()->setLogLevel(static_cast<RTT::LoggerLevel>(options.logLevel));
     if (!options.consoleLog) RTT::Logger::Instance()->mayLogStdOut(false);
-    int status = runWithRuntime(wordsForRuntime(argc, argv), options, stay, report);
+    int status = runWithRuntime(wordsForRuntime(argc, argv), options, program, report);
     if (options.realTimeMemory != 0) reportRealTimeMemory();
     if (options.realTimeCheck && !reportRealTimeCheck(report)) status = kFailure;
     return status;
@@ -209,21 +216,29 @@ int run(int argc, char** argv, const Options& options, Stay stay, ProgramReport&
 
 }  // namespace
 
-int runProgram(int argc, char** argv, const ProgramText& text, Stay stay) {
-    const std::string program = std::filesystem::path(argv[0]).filename().string();
+DeploymentComponent::Purpose purposeOf(const Options& options) {
+    using Purpose = DeploymentComponent::Purpose;
+    return options.dryRun ? Purpose::PlanOnly : options.check ? Purpose::Check : Purpose::Deploy;
+}
+
+std::unique_ptr<DeploymentComponent> makeDeployer(const Options& options, std::vector<char*>&) {
+    return std::make_unique<DeploymentComponent>(options.name, options.siteFile, purposeOf(options));
+}
+
+int runProgram(int argc, char** argv, const Program& program) {
+    const std::string name = std::filesystem::path(argv[0]).filename().string();
     Options options;
     std::string error;
-    const bool understood = parseOptions(argc, argv, options, error) && hasFiles(options, text, error);
-    ProgramReport report(program,
-                         understood ? options.format : oroforge::report::wantedFormat({argv + 1, argv + argc}));
+    const bool understood = parseOptions(argc, argv, options, error) && hasFiles(options, program.text, error);
+    ProgramReport report(name, understood ? options.format : oroforge::report::wantedFormat({argv + 1, argv + argc}));
     if (options.endsAtOnce() || !understood) report.onlyInDocument();
     if (!understood) {
-        report.error("", error, program + " --help shows all options");
+        report.error("", error, name + " --help shows all options");
         return report.finish(kFailure);
     }
     if (!options.warning.empty()) report.warning(options.warning);
-    if (options.action == Options::Run) return report.finish(run(argc, argv, options, stay, report));
-    const int status = printInformation(options, text, program, report);
+    if (options.action == Options::Run) return report.finish(run(argc, argv, options, program, report));
+    const int status = printInformation(options, program.text, name, report);
     return status == 0 ? 0 : report.finish(status);
 }
 

@@ -15,5 +15,5 @@ int main(int argc, char** argv) {
         "removes all components and ends. A script that is to go on until a signal comes\n"
         "ends with waitForInterrupt().",
         /*needsFiles=*/true};
-    return OCL::deploy::runProgram(argc, argv, text, &leave);
+    return OCL::deploy::runProgram(argc, argv, {text, &leave});
 }

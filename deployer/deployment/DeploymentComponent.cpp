@@ -30,8 +30,12 @@ using RTT::log;
 using std::string;
 
 DeploymentComponent::DeploymentComponent(string name, string siteFile, Purpose purpose)
+    : DeploymentComponent(std::move(name), std::move(siteFile), purpose, Serve()) {}
+
+DeploymentComponent::DeploymentComponent(string name, string siteFile, Purpose purpose, Serve serve)
     : TaskContext(name, Stopped), impl_(new Impl) {
     impl_->session.deployer = this;
+    impl_->session.serve = std::move(serve);
     impl_->session.loaded = [this](RTT::TaskContext* component) { return componentLoaded(component); };
     impl_->session.unloaded = [this](RTT::TaskContext* component) { componentUnloaded(component); };
     impl_->purpose = purpose;

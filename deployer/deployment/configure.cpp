@@ -22,6 +22,7 @@ std::vector<ComponentRecord*> recordsToConfigure(Session& session, int group) {
     std::vector<ComponentRecord*> result;
     for (ComponentRecord& record : session.records.all) {
         if (record.optionsGroup != group) continue;
+        if (record.isRemote && !record.plan.autoConf.value_or(false)) continue;  // its own deployer configures it
         if (isUp(*record.instance))
             RTT::log(RTT::Warning) << "component '" << record.name << "' is not configured: it is running"
                                    << RTT::endlog();
@@ -66,6 +67,13 @@ void setActivities(Session& session, const std::vector<ComponentRecord*>& record
         setActivityOf(session, **next, sink);
         pending.erase(next);
     }
+}
+
+/** Those of another process get their values whatever their state. */
+void applyRemoteProperties(Session& session, int group, diag::Sink& sink) {
+    for (ComponentRecord& record : session.records.all)
+        if (record.isRemote && record.optionsGroup == group && !record.plan.autoConf.value_or(false))
+            applyProperties(session, record, sink);
 }
 
 void runScripts(ComponentRecord& record, diag::Sink& sink) {
@@ -124,7 +132,7 @@ void stopIfStarted(const ComponentRecord& record, const diag::Location& by, diag
 void stopWhatStarted(Session& session, const diag::Location& by, diag::Sink& sink) {
     if (!session.startsNothing) return;
     for (const ComponentRecord& record : session.records.all)
-        if (record.instance != session.deployer) stopIfStarted(record, by, sink);
+        if (record.instance != session.deployer && !record.isRemote) stopIfStarted(record, by, sink);
 }
 
 bool configure(Session& session, int group, diag::Sink& sink) {
@@ -137,6 +145,7 @@ bool configure(Session& session, int group, diag::Sink& sink) {
     const std::vector<ComponentRecord*> records = recordsToConfigure(session, group);
     setActivities(session, records, sink);
     for (ComponentRecord* record : records) applyProperties(session, *record, sink);
+    if (!session.startsNothing) applyRemoteProperties(session, group, sink);
     if (sink.hadErrors()) return false;
     struct Component {
         const RTT::TaskContext* instance;

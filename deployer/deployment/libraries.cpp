@@ -18,14 +18,19 @@ using oroforge::diag::didYouMeanType;
 using RTT::ComponentLoader;
 using RTT::plugin::PluginLoader;
 
+bool isRemoteType(const std::string& type) {
+    return type == "CORBA" || type == "TaskContextProxy" || type == "IORFile" || type == "IOR";
+}
+
 std::string componentTypeOf(const std::string& word, std::string& error) {
-    const bool isElsewhere = word == "CORBA" || word == "IOR" || word == "IORFile";
-    if (!isElsewhere && word.find(".so") == std::string::npos) return word;
+    if (!isRemoteType(word) && word.find(".so") == std::string::npos) return word;
     const ComponentLoader::shared_ptr loader = ComponentLoader::Instance();
     const std::vector<std::string> known = loader->listComponentTypes();
     if (std::find(known.begin(), known.end(), word) != known.end()) return word;
-    if (isElsewhere) {
-        error = "type '" + word + "' means a component of another process, and this deployer has no CORBA";
+    if (isRemoteType(word)) {
+        error = "type '" + word +
+                "' means a component of another process, and this deployer has no CORBA; cdeployer and deployer-corba "
+                "have it";
         return word;
     }
     std::error_code none;

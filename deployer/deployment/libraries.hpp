@@ -9,6 +9,8 @@
 
 namespace OCL::deploy {
 
+/** The type of what stands for a component of another process. */
+bool isRemoteType(const std::string& type);
 /** The component type: `word`, or the only type in the library file of that name, which is loaded. `error` gets the
     reason if the file cannot be loaded, or does not have exactly one type. */
 std::string componentTypeOf(const std::string& word, std::string& error);

@@ -102,6 +102,7 @@ PlanContext surroundingsOf(const Session& session) {
     }
     result.services = PluginLoader::Instance()->listServices();
     result.propertyFiles = session.propertyFiles;
+    result.serves = session.serve != nullptr;
     return result;
 }
 
@@ -117,6 +118,12 @@ ComponentRecord* recordFor(Session& session, const ComponentPlan& component, int
         return nullptr;
     }
     return &session.records.all.back();
+}
+
+/** A component of another process may have another name there, as one that a reference in a file names. */
+void addUnderOwnName(Session& session, RTT::TaskContext& component) {
+    const std::string own = component.getName();
+    if (!session.component(own)) session.deployer->addPeer(&component, own);
 }
 
 }  // namespace
@@ -144,10 +151,12 @@ RTT::TaskContext* create(Session& session, const std::string& name, const std::s
         ComponentLoader::Instance()->unloadComponent(component);
         return nullptr;
     }
-    if (session.startsNothing) holdBack(*component);
+    if (session.startsNothing && !isRemoteType(type)) holdBack(*component);
     session.deployer->addPeer(component, name);
     ComponentRecord& record = session.records.add(name, component);
     record.loadedHere = true;
+    record.isRemote = isRemoteType(type);
+    addUnderOwnName(session, *component);
     record.plan.type.value = type;
     record.group = record.optionsGroup = group;
     RTT::log(RTT::Info) << "created component '" << name << "' of type " << type << RTT::endlog();
@@ -188,6 +197,10 @@ bool load(Session& session, Plan plan, int group, diag::Sink& sink) {
         if (!record) continue;
         record->optionsGroup = group;
         ComponentRecords::merge(record->plan, component);
+        if (component.server.value_or(false) && session.serve && !session.startsNothing &&
+            !session.serve(*record->instance, component.useNamingService.value_or(true)))
+            sink.error(component.serverWhere, "DEP067",
+                       "other processes cannot use component '" + record->name + "'; the log says why");
         for (const Text& service : component.services)
             if (!loadService(*record->instance, service.value))
                 sink.error(service.where, "DEP033",

@@ -82,8 +82,10 @@ bool NamedComponents::kickOut(const std::string& name) {
                       session_.deployer->getName());
     const FailureReport::Pause others;
     RTT::TaskContext& component = *record->instance;
-    (void)stopOne(component);
-    (void)cleanupOne(session_, component);
+    if (!record->isRemote) {
+        (void)stopOne(component);
+        (void)cleanupOne(session_, component);
+    }
     (void)unloadOne(session_, component);
     return true;
 }

@@ -70,6 +70,8 @@ struct ComponentPlan {
     Text name;
     Text type;
     Flag autoConf, autoStart, autoConnect, autoSave;
+    Flag server, useNamingService;
+    diag::Location serverWhere;
     std::vector<Text> services;
     std::vector<xml::Element> properties;  // `Properties` structs; the component has their types
     std::vector<PropertyFilePlan> propertyFiles;

@@ -69,12 +69,10 @@ void activity(xml::Element& element, ComponentPlan& plan, diag::Sink& sink) {
     plan.activity = readActivity(element, sink);
 }
 
-void server(xml::Element& element, ComponentPlan&, diag::Sink& sink) {
-    if (readBoolean(element, sink).value_or(false))
-        sink.warning(element.where, "DEP019", "'Server' is ignored: this deployer has no CORBA");
+void server(xml::Element& element, ComponentPlan& plan, diag::Sink& sink) {
+    flag<&ComponentPlan::server>(element, plan, sink);
+    plan.serverWhere = element.where;
 }
-
-void checkedFlag(xml::Element& element, ComponentPlan&, diag::Sink& sink) { (void)readBoolean(element, sink); }
 
 void withoutEffect(xml::Element& element, ComponentPlan&, diag::Sink& sink) {
     const std::string name = nameOf(element).value;
@@ -109,7 +107,7 @@ const Entry kEntries[] = {
     {"Service", service},
     {"StateMachineScript", script<ScriptPlan::StateMachine>},
     {"UpdateProperties", propertyFile<PropertyFilePlan::Update>},
-    {"UseNamingService", checkedFlag},
+    {"UseNamingService", flag<&ComponentPlan::useNamingService>},
 };
 
 void readElement(xml::Element& element, ComponentPlan& plan, diag::Sink& sink) {

@@ -27,6 +27,7 @@ struct LoadedScript {
 struct ComponentRecord {
     std::string name;
     RTT::TaskContext* instance = nullptr;
+    bool isRemote = false;    // a component of another process, which the end of this one leaves alone
     bool loadedHere = false;  // false for the deployer itself and for peers that others created
     int group = 0;            // the group that created it
     int optionsGroup = 0;     // the group that last gave it options and applies them

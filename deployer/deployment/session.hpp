@@ -39,6 +39,8 @@ struct Session {
     int waitPeriodPolicy = 0;                       // for threads of new activities
     std::function<bool(RTT::TaskContext*)> loaded;  // false refuses the component
     std::function<void(RTT::TaskContext*)> unloaded;
+    std::function<bool(RTT::TaskContext&, bool)>
+        serve;  // makes a server; empty: other processes cannot call components
 
     /** The deployer for its own name or "this", else one of its peers; null if there is none. */
     RTT::TaskContext* component(const std::string& name) const;

@@ -15,11 +15,14 @@
 namespace OCL::deploy {
 namespace {
 
+enum class Which { All, OfThisProcess };
+
 /** The components that this group created, the last first. Not records, because unloading changes them. */
-std::vector<RTT::TaskContext*> created(const Session& session, int group) {
+std::vector<RTT::TaskContext*> created(const Session& session, int group, Which which) {
     std::vector<RTT::TaskContext*> result;
     for (auto record = session.records.all.rbegin(); record != session.records.all.rend(); ++record)
-        if (record->loadedHere && record->group == group) result.push_back(record->instance);
+        if (record->loadedHere && record->group == group && (which == Which::All || !record->isRemote))
+            result.push_back(record->instance);
     return result;
 }
 
@@ -68,7 +71,9 @@ bool cleanupOne(Session& session, RTT::TaskContext& component) {
 
 bool unloadOne(Session& session, RTT::TaskContext& component) {
     const std::string name = component.getName();
-    if (component.isRunning()) {
+    const ComponentRecord* const record = session.records.find(&component);
+    const bool isRemote = record && record->isRemote;
+    if (!isRemote && component.isRunning()) {
         RTT::log(RTT::Error) << "could not unload component '" << name << "': it is running" << RTT::endlog();
         return false;
     }
@@ -79,7 +84,7 @@ bool unloadOne(Session& session, RTT::TaskContext& component) {
     }
     releaseSlaves(session, component);
     session.unloaded(&component);
-    component.disconnect();
+    if (!isRemote) component.disconnect();
     session.records.erase(&component);
     if (!RTT::ComponentLoader::Instance()->unloadComponent(&component)) return false;
     RTT::log(RTT::Info) << "unloaded component '" << name << "'" << RTT::endlog();
@@ -88,19 +93,20 @@ bool unloadOne(Session& session, RTT::TaskContext& component) {
 
 bool stop(Session& session, int group) {
     bool all = true;
-    for (RTT::TaskContext* component : created(session, group)) all &= stopOne(*component);
+    for (RTT::TaskContext* component : created(session, group, Which::OfThisProcess)) all &= stopOne(*component);
     return all;
 }
 
 bool cleanup(Session& session, int group) {
     bool all = true;
-    for (RTT::TaskContext* component : created(session, group)) all &= cleanupOne(session, *component);
+    for (RTT::TaskContext* component : created(session, group, Which::OfThisProcess))
+        all &= cleanupOne(session, *component);
     return all;
 }
 
 bool unload(Session& session, int group) {
     bool all = true;
-    for (RTT::TaskContext* component : created(session, group)) all &= unloadOne(session, *component);
+    for (RTT::TaskContext* component : created(session, group, Which::All)) all &= unloadOne(session, *component);
     return all;
 }
 

@@ -97,6 +97,8 @@ private:
                     creator = &component;
                 }
             }
+            if (component.server.value_or(false) && !around_.serves)
+                sink_.warning(component.serverWhere, "DEP019", "'Server' is ignored: this deployer has no CORBA");
             checkReferences(component);
             checkServices(component);
             checkFiles(component);

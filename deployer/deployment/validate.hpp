@@ -27,6 +27,7 @@ struct PlanContext {
     std::vector<std::string> componentTypes;
     std::map<std::string, const RTT::internal::ComponentDescription*> descriptions;  // of types that have one
     std::vector<std::string> services;                                               // services that can be loaded
+    bool serves = false;                                                             // components can have servers
     bool planOnly = false;  // the plan will not be applied, so the components will not exist
     std::shared_ptr<PropertyFiles> propertyFiles = std::make_shared<PropertyFiles>();
 };

@@ -8,6 +8,7 @@
 #include <rtt/TaskContext.hpp>
 #include <rtt/rtt-config.h>
 
+#include <functional>
 #include <list>
 #include <map>
 #include <memory>
@@ -168,6 +169,12 @@ public:
     bool configureHook() override;
 
 protected:
+    /** Lets other processes use a component, by the naming service or without it. False, with an error logged, if that
+        fails. */
+    typedef std::function<bool(RTT::TaskContext& component, bool useNamingService)> Serve;
+    /** For a deployer that can do that: `serve` is called for the element `Server` of files. */
+    DeploymentComponent(std::string name, std::string siteFile, Purpose purpose, Serve serve);
+
     /** Called after a component was created. False refuses it; then it is deleted. */
     virtual bool componentLoaded(RTT::TaskContext* component);
     /** Called before a component is deleted. */

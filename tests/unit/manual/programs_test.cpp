@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The programs and their options (section 1.2), and what is said of CORBA while there is none (2.5, 2.6).
+// The programs and their options (section 1.2), and what programs without CORBA say of it (2.5, 2.6).
 #include "snippets.hpp"
 
 #include <chrono>
