@@ -31,7 +31,7 @@ $include" '${OROCOS-RTT_RTT-MARSHALLING_LIBRARY}' "$prefix/lib/orocos/gnulinux/p
 finds "find_package(OROCOS-RTT 2.0.0 COMPONENTS rtt-scripting rtt-marshalling)
 $include" '${OROCOS-RTT_RTT-SCRIPTING_LIBRARY}' "$prefix/lib/orocos/gnulinux/plugins/librtt-scripting-gnulinux.so"
 finds "find_package(OROCOS-RTT REQUIRED COMPONENTS rtt-scripting rtt-typekit)
-$include" '${OROCOS-RTT_TYPEKIT_FOUND} ${OROCOS-RTT_CORBA_FOUND} ${OROCOS-RTT_MQUEUE_FOUND}' 'TRUE FALSE TRUE'
+$include" '${OROCOS-RTT_TYPEKIT_FOUND} ${OROCOS-RTT_CORBA_FOUND} ${OROCOS-RTT_MQUEUE_FOUND}' 'TRUE TRUE TRUE'
 finds "find_package(OROCOS-RTT REQUIRED OPTIONAL_COMPONENTS rtt-transport-mqueue)
 $include" '${OROCOS-RTT_RTT-TRANSPORT-MQUEUE_FOUND}' TRUE
 finds "find_package(OROCOS-RTT EXACT)
