@@ -7,6 +7,7 @@ Comments of the page, which its readers do not see, tell what the next listing i
     <!-- file NAME -->          a file of this name
     <!-- run -->                commands; <!-- run: 255 --> with this exit status. What they export stays
     <!-- typed OPTION… -->      a session at the prompt of the deployer, started with these options
+    <!-- typed: COMMAND… -->    the same of another program
     <!-- output -->             what the last commands wrote. "…" is any text, a line of it any number of lines
     <!-- shown REASON -->       only to be looked at
 A comment may have more lines. Those of a file are what stands around the listing, a part of it, in place of a line "…";
@@ -83,10 +84,10 @@ class Guide:
         target.parent.mkdir(parents=True, exist_ok=True)
         target.write_text(text)
 
-    def type(self, line, options, session):
+    def type(self, line, command, session):
         lines = session.splitlines()
         typed = [entry[PROMPT.match(entry).end():] for entry in lines if PROMPT.match(entry)]
-        self.run(line, f"deployer {options}", 0, "".join(f"{entry}\n" for entry in typed))
+        self.run(line, command, 0, "".join(f"{entry}\n" for entry in typed))
         self.compare(line, [entry for entry in lines if not PROMPT.match(entry)])
 
     def take(self, line, what, language, text):
@@ -102,6 +103,8 @@ class Guide:
         elif word in ("run", "run:"):
             self.run(line, text, int(rest or 0))
         elif word == "typed":
+            self.type(line, f"deployer {rest}", text)
+        elif word == "typed:" and rest:
             self.type(line, rest, text)
         elif word == "output":
             self.compare(line, text.splitlines())

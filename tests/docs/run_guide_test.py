@@ -56,6 +56,8 @@ class RunGuide(Pages):
     def test_what_is_typed_at_the_prompt(self):
         session = "```console\nDeployer [S]> for {\n= for {\n> 1\n= 1\n```\n"
         self.check_page("<!-- typed -s a.ops -->\n" + session.replace("console\n", "console\nstarted with -s a.ops\n"))
+        self.check_page("<!-- typed: deployer one two -->\n" + session.replace("console\n", "console\nstarted with one two\n"))
+        self.check_wrong("<!-- typed: -->\n" + session, "not understood: <!-- typed: -->")
         self.check_wrong("<!-- typed -->\n" + session, "page.md:2: the output is another:\nstarted with \n= for {\n= 1\n")
 
     def test_another_status_is_told(self):
