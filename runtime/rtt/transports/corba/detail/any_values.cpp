@@ -21,6 +21,11 @@ CORBA::Any* newAny(const base::DataSourceBase::shared_ptr& source) {
     return made ? made : new CORBA::Any();
 }
 
+bool put(const base::DataSourceBase::shared_ptr& source, CORBA::Any& any) {
+    const CorbaTypeTransporter* const own = source ? transporterOf(*source->getTypeInfo()) : nullptr;
+    return own && own->updateAny(source, any);
+}
+
 bool assign(const CORBA::Any& any, const base::DataSourceBase::shared_ptr& target) {
     const CorbaTypeTransporter* const own = target ? transporterOf(*target->getTypeInfo()) : nullptr;
     return own && own->updateFromAny(&any, target);

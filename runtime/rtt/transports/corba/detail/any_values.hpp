@@ -22,6 +22,8 @@ namespace detail {
 const CorbaTypeTransporter* transporterOf(const types::TypeInfo& type);
 /** The value of the last evaluation of `source`; an empty Any if it cannot be converted. The caller owns it. */
 CORBA::Any* newAny(const base::DataSourceBase::shared_ptr& source);
+/** The same into an Any that exists; false if it cannot be converted. */
+bool put(const base::DataSourceBase::shared_ptr& source, CORBA::Any& any);
 /** False if the types differ. */
 bool assign(const CORBA::Any& any, const base::DataSourceBase::shared_ptr& target);
 /** A new variable of that type; null if the types differ. */

@@ -35,8 +35,7 @@ OperationInterfacePart::Args collectedBy(const OperationInterfacePart& part) {
 void setValues(CAnyArguments& values, const OperationInterfacePart::Args& from) {
     values.length(static_cast<CORBA::ULong>(from.size()));
     for (CORBA::ULong i = 0; i != values.length(); ++i) {
-        const CORBA::Any_var made = newAny(from[i]);
-        values[i] = made.in();
+        if (!put(from[i], values[i])) values[i] = CORBA::Any();
     }
 }
 

@@ -43,6 +43,11 @@ void describe(COperation& described, const OperationInterfacePart& part) {
     described.send_oneway = part.collectArity() == 0;
 }
 
+/** Otherwise the caller gets back what it gave. */
+bool hasOutputs(const OperationInterfacePart& part) {
+    return part.collectArity() > (part.resultType() == "void" ? 0U : 1U);
+}
+
 ExecutionEngine* caller() { return internal::GlobalEngine::Instance(); }
 
 }  // namespace
@@ -127,7 +132,7 @@ CORBA::Any* OperationServant::callOperation(const char* operation, CAnyArguments
     try {
         const base::DataSourceBase::shared_ptr call = part->produce(arguments, caller());
         if (!call || !call->evaluate()) throw CCallError("the operation was not executed");
-        setValues(args, arguments);
+        if (hasOutputs(*part)) setValues(args, arguments);
         return newAny(call);
     } catch (const std::exception& error) {
         throw CCallError(error.what());
