@@ -141,7 +141,6 @@ bool TaskContextServer::bind(const std::string& name, bool use_naming, bool requ
         if (emits) emit(name);
         return true;
     }
-    if (bound_.count(name)) return true;
     std::string why;
     switch (detail::bindName(name, reference_, why)) {
         case detail::Bound::New:

@@ -57,6 +57,8 @@ Bound bindName(const std::string& name, CTaskContext_ptr component, std::string&
             root->bind(pathOf(name.c_str()), component);
             return Bound::New;
         } catch (const CosNaming::NamingContext::AlreadyBound&) {
+            const CORBA::Object_var present = root->resolve(pathOf(name.c_str()));
+            if (component->_is_equivalent(present)) return Bound::New;
             root->rebind(pathOf(name.c_str()), component);
             return Bound::Again;
         }
