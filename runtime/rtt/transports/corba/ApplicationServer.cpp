@@ -27,7 +27,7 @@ public:
     bool has(const std::string& option) const {
         if (std::getenv(("ORB" + option).c_str())) return true;
         for (const std::string& argument : arguments_)
-            if (argument.compare(0, 4 + option.size(), "-ORB" + option) == 0) return true;
+            if (argument == "-ORB" + option) return true;
         return false;
     }
     /** The naming service's host, if it is known. */

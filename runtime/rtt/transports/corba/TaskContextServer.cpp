@@ -24,7 +24,7 @@ namespace RTT::corba {
 /** Recursive: making a server may make others. */
 struct TaskContextServer::Servers {
     std::recursive_mutex mutex;
-    std::map<TaskContext*, std::unique_ptr<TaskContextServer>> all;
+    std::map<TaskContext*, std::shared_ptr<TaskContextServer>> all;
     std::unique_ptr<Activity> runner;
 };
 
@@ -79,61 +79,74 @@ CService_ptr detail::serve(Service& service) {
         owner ? TaskContextServer::CreateServer(owner, false, false) : CTaskContext::_nil();
     auto& servers = TaskContextServer::servers();
     const std::lock_guard<std::recursive_mutex> lock(servers.mutex);
-    const TaskContextServer* const server = owner ? TaskContextServer::find(*owner) : nullptr;
+    const std::shared_ptr<TaskContextServer> server = owner ? TaskContextServer::find(*owner) : nullptr;
     return server ? server->served_->reference(service.shared_from_this()) : CService::_nil();
 }
 
 TaskContextServer::TaskContextServer(TaskContext& component)
     : served_(std::make_shared<detail::ServedComponent>(component)) {
-    hasShutdown_ = !component.provides()->hasOperation("shutdown");
-    if (hasShutdown_)
-        component.addOperation("shutdown", &TaskContextServer::EndRun)
-            .doc("Ends the program, if it waits for calls of other processes.");
-    // Last: from now on threads of the ORB read the interface.
     reference_ = served_->activate<CTaskContext>(new detail::TaskContextServant(served_));
 }
 
 TaskContextServer::~TaskContextServer() {
     unbind();
     served_->close();
-    if (!hasShutdown_) return;
-    try {
-        const detail::ServedComponent::Use use(*served_);
-        served_->component().provides()->removeOperation("shutdown");
-    } catch (const CORBA::Exception&) {
-        // The component was destroyed.
-    }
 }
 
 void TaskContextServer::unbind() {
-    for (const std::string& name : bound_) detail::unbindName(name, reference_);
-    bound_.clear();
+    std::set<std::string> names;
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        names.swap(bound_);
+    }
+    for (const std::string& name : names) detail::unbindName(name, reference_);
 }
 
-TaskContextServer* TaskContextServer::find(TaskContext& component) {
+std::shared_ptr<TaskContextServer> TaskContextServer::find(TaskContext& component) {
     auto& all = servers().all;
     const auto found = all.find(&component);
     if (found == all.end()) return nullptr;
-    if (!found->second->served_->isGone()) return found->second.get();
-    all.erase(found);  // of an earlier component that was at this address
+    if (!found->second->served_->isGone()) return found->second;
+    // Of an earlier component that was at this address. Its end may call the naming service, and there is a lock.
+    detail::later([last = found->second] {});
+    all.erase(found);
     return nullptr;
 }
 
-TaskContextServer* TaskContextServer::make(TaskContext* tc, const std::string& alias, bool use_naming, bool require,
-                                           bool emits) {
+namespace {
+
+/** Not for components that are served because others mention them: this changes their interface. */
+void addShutdown(TaskContext& component) {
+    if (component.provides()->hasOperation("shutdown")) return;
+    component.addOperation("shutdown", &TaskContextServer::EndRun)
+        .doc("Ends the program, if it waits for calls of other processes.");
+}
+
+}  // namespace
+
+std::shared_ptr<TaskContextServer> TaskContextServer::make(TaskContext* tc, const std::string& alias, bool use_naming,
+                                                           bool require, bool emits) {
     const Logger::In in("TaskContextServer");
     if (!hasOrb(tc)) return nullptr;
-    const std::lock_guard<std::recursive_mutex> lock(servers().mutex);
     try {
-        if (TaskContextServer* const known = find(*tc))
-            return known->bind(alias, use_naming, require, emits) ? known : nullptr;
-        std::unique_ptr<TaskContextServer> made(new TaskContextServer(*tc));
-        if (!made->bind(alias, use_naming, require, emits)) return nullptr;
-        return (servers().all[tc] = std::move(made)).get();
+        std::shared_ptr<TaskContextServer> server;
+        bool isNew = false;
+        {
+            const std::lock_guard<std::recursive_mutex> lock(servers().mutex);
+            server = find(*tc);
+            isNew = !server;
+            if (isNew) {
+                if (emits) addShutdown(*tc);  // before threads of the ORB read the interface
+                server.reset(new TaskContextServer(*tc));
+                servers().all[tc] = server;
+            }
+        }
+        if (server->bind(alias, use_naming, require, emits)) return server;
+        if (isNew) CleanupServer(tc);
     } catch (const CORBA::Exception& error) {
         log(Error) << "no server for component '" << tc->getName() << "': " << detail::describe(error) << endlog();
-        return nullptr;
     }
+    return nullptr;
 }
 
 bool TaskContextServer::bind(const std::string& name, bool use_naming, bool require, bool emits) {
@@ -145,12 +158,12 @@ bool TaskContextServer::bind(const std::string& name, bool use_naming, bool requ
     switch (detail::bindName(name, reference_, why)) {
         case detail::Bound::New:
             log(Info) << "component '" << name << "' is in the naming service" << endlog();
-            bound_.insert(name);
+            remember(name);
             return true;
         case detail::Bound::Again:
             log(Warning) << "the naming service had another component '" << name << "', which this one replaces"
                          << endlog();
-            bound_.insert(name);
+            remember(name);
             return true;
         case detail::Bound::NoService:
         case detail::Bound::Failed: break;
@@ -161,9 +174,14 @@ bool TaskContextServer::bind(const std::string& name, bool use_naming, bool requ
         return false;
     }
     log(Warning) << "component '" << name << "' does not get into the naming service: " << why
-                 << "; others can use the reference in " << name << ".ior" << endlog();
+                 << (emits ? "; others can use the reference in " + name + ".ior" : std::string()) << endlog();
     if (emits) emit(name);
     return true;
+}
+
+void TaskContextServer::remember(const std::string& name) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    bound_.insert(name);
 }
 
 void TaskContextServer::emit(const std::string& name) const {
@@ -173,12 +191,12 @@ void TaskContextServer::emit(const std::string& name) const {
 }
 
 TaskContextServer* TaskContextServer::Create(TaskContext* tc, bool use_naming, bool require_name_service) {
-    return make(tc, tc ? tc->getName() : "", use_naming, require_name_service, true);
+    return make(tc, tc ? tc->getName() : "", use_naming, require_name_service, true).get();
 }
 
 TaskContextServer* TaskContextServer::Create(TaskContext* tc, const std::string& alias, bool use_naming,
                                              bool require_name_service) {
-    return make(tc, alias, use_naming, require_name_service, true);
+    return make(tc, alias, use_naming, require_name_service, true).get();
 }
 
 CTaskContext_ptr TaskContextServer::CreateServer(TaskContext* tc, bool use_naming, bool require_name_service) {
@@ -189,12 +207,12 @@ CTaskContext_ptr TaskContextServer::CreateServer(TaskContext* tc, const std::str
                                                  bool require_name_service) {
     if (const auto* const proxy = dynamic_cast<const TaskContextProxy*>(tc))
         return CTaskContext::_duplicate(proxy->server());
-    const TaskContextServer* const server = make(tc, alias, use_naming, require_name_service, false);
+    const std::shared_ptr<TaskContextServer> server = make(tc, alias, use_naming, require_name_service, false);
     return server ? CTaskContext::_duplicate(server->reference_) : CTaskContext::_nil();
 }
 
 void TaskContextServer::CleanupServer(TaskContext* tc) {
-    std::unique_ptr<TaskContextServer> last;
+    std::shared_ptr<TaskContextServer> last;  // ends without the lock
     const std::lock_guard<std::recursive_mutex> lock(servers().mutex);
     const auto found = servers().all.find(tc);
     if (found == servers().all.end()) return;
@@ -203,7 +221,7 @@ void TaskContextServer::CleanupServer(TaskContext* tc) {
 }
 
 void TaskContextServer::CleanupServers() {
-    std::map<TaskContext*, std::unique_ptr<TaskContextServer>> last;
+    std::map<TaskContext*, std::shared_ptr<TaskContextServer>> last;  // end without the lock
     const std::lock_guard<std::recursive_mutex> lock(servers().mutex);
     last.swap(servers().all);
 }
@@ -230,10 +248,12 @@ void TaskContextServer::ShutdownOrb(bool wait) {
     EndRun();
     const CORBA::ORB_var own = orb;
     if (CORBA::is_nil(own)) return;
+    std::map<TaskContext*, std::shared_ptr<TaskContextServer>> all;
     {
         const std::lock_guard<std::recursive_mutex> lock(servers().mutex);
-        for (const auto& entry : servers().all) entry.second->unbind();
+        all = servers().all;
     }
+    for (const auto& entry : all) entry.second->unbind();
     try {
         own->shutdown(wait);
     } catch (const CORBA::Exception& error) {
@@ -250,12 +270,15 @@ void TaskContextServer::DestroyOrb() {
     }
     EndRun();
     runner.reset();
-    detail::endLater();
+    // Nobody calls this process any more when the references of the ORB go.
     detail::endWatches();
-    const CORBA::ORB_var own = orb._retn();
-    rootPOA = PortableServer::POA::_nil();
-    if (CORBA::is_nil(own)) return;
+    detail::endLater();
+    if (CORBA::is_nil(orb)) return;
     try {
+        orb->shutdown(true);
+        detail::endLater();
+        const CORBA::ORB_var own = orb._retn();
+        rootPOA = PortableServer::POA::_nil();
         own->destroy();
     } catch (const CORBA::Exception& error) {
         log(Error) << "the ORB does not end: " << error._name() << endlog();
@@ -264,7 +287,7 @@ void TaskContextServer::DestroyOrb() {
 
 std::string TaskContextServer::getIOR(TaskContext* tc) {
     const std::lock_guard<std::recursive_mutex> lock(servers().mutex);
-    const TaskContextServer* const server = tc ? find(*tc) : nullptr;
+    const std::shared_ptr<TaskContextServer> server = tc ? find(*tc) : nullptr;
     if (!server) return "";
     const CORBA::String_var text = orb->object_to_string(server->reference_);
     return text.in();

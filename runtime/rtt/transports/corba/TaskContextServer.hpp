@@ -10,6 +10,7 @@
 #include <boost/shared_ptr.hpp>
 
 #include <memory>
+#include <mutex>
 #include <set>
 #include <string>
 
@@ -79,17 +80,18 @@ private:
     friend CService_ptr detail::serve(Service& service);
     explicit TaskContextServer(TaskContext& component);
     static Servers& servers();
-    static TaskContextServer* find(TaskContext& component);
-    static TaskContextServer* make(TaskContext* tc, const std::string& alias, bool use_naming, bool require,
-                                   bool emits);
+    static std::shared_ptr<TaskContextServer> find(TaskContext& component);
+    static std::shared_ptr<TaskContextServer> make(TaskContext* tc, const std::string& alias, bool use_naming,
+                                                   bool require, bool emits);
     bool bind(const std::string& name, bool use_naming, bool require, bool emits);
+    void remember(const std::string& name);
     void unbind();
     void emit(const std::string& name) const;
 
     const std::shared_ptr<detail::ServedComponent> served_;
     CTaskContext_var reference_;
+    std::mutex mutex_;             // guards bound_
     std::set<std::string> bound_;  // names in the naming service
-    bool hasShutdown_ = false;     // the operation is of this server
 };
 
 }  // namespace corba

@@ -3,9 +3,11 @@
 #include <rtt/transports/corba/detail/later.hpp>
 
 #include <rtt/Activity.hpp>
+#include <rtt/Logger.hpp>
 #include <rtt/transports/corba/corba.h>
 
 #include <deque>
+#include <exception>
 #include <mutex>
 #include <utility>
 
@@ -29,8 +31,10 @@ public:
     }
     /** Blocks until the work is done, or for some seconds. The next work begins it again. */
     void end() {
-        (void)stop();
-        executeAll();  // what came too late for the thread
+        // What came too late for the thread is done here, unless the thread does not get on.
+        if (stop()) executeAll();
+        const std::lock_guard<std::mutex> lock(mutex_);
+        work_.clear();
     }
 
 protected:
@@ -44,6 +48,9 @@ private:
                 next();
             } catch (const CORBA::Exception&) {
                 // The other process is gone, and what it should have learned with it.
+            } catch (const std::exception& thrown) {
+                log(Error) << "a connection with another process does not end as it should: " << thrown.what()
+                           << endlog();
             }
         }
     }

@@ -4,6 +4,7 @@
 
 #include <rtt/transports/corba/ApplicationServer.hpp>
 #include <rtt/transports/corba/detail/remote_peer.hpp>
+#include <rtt/transports/corba/detail/remote_reference.hpp>
 
 #include <omniORB4/Naming.hh>
 
@@ -15,15 +16,18 @@ namespace {
 CosNaming::NamingContext_var rootContext(std::string& why) {
     try {
         const CORBA::Object_var object = ApplicationServer::orb->resolve_initial_references("NameService");
-        const CosNaming::NamingContext_var found = CosNaming::NamingContext::_narrow(object);
+        const CORBA::Object_var own = limitedObject(object);
+        const CosNaming::NamingContext_var found = CosNaming::NamingContext::_narrow(own);
         why = CORBA::is_nil(found) ? "what -ORBInitRef names is no naming service" : "";
-        return found;
+        return limited<CosNaming::NamingContext>(found);
     } catch (const CORBA::NO_RESOURCES&) {
         why = "its place is not given, as by -ORBInitRef NameService=corbaloc::localhost/NameService";
     } catch (const CORBA::ORB::InvalidName&) {
         why = "its place is not given, as by -ORBInitRef NameService=corbaloc::localhost/NameService";
     } catch (const CORBA::TRANSIENT&) {
         why = "it cannot be reached; omniNames starts one";
+    } catch (const CORBA::TIMEOUT&) {
+        why = "it does not answer";
     } catch (const CORBA::Exception& error) {
         why = describe(error);
     }

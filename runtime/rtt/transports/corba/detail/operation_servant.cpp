@@ -67,7 +67,7 @@ corba::COperationInterface::COperationDescriptions* OperationServant::getOperati
         new corba::COperationInterface::COperationDescriptions();
     for (const std::string& name : service_->getNames()) {
         const OperationInterfacePart* const part = service_->getPart(name);
-        if (part->isSynchronous()) continue;
+        if (!part || part->isSynchronous()) continue;
         const CORBA::ULong index = list->length();
         list->length(index + 1);
         describe(list[index], *part);
@@ -128,8 +128,8 @@ void OperationServant::checkOperation(const char* operation, const CAnyArguments
 CORBA::Any* OperationServant::callOperation(const char* operation, CAnyArguments& args) {
     const ServedComponent::Use use(*served_);
     const Part part = find(operation);
-    const OperationInterfacePart::Args arguments = argumentsOf(*part, args);
     try {
+        const OperationInterfacePart::Args arguments = argumentsOf(*part, args);
         const base::DataSourceBase::shared_ptr call = part->produce(arguments, caller());
         if (!call || !call->evaluate()) throw CCallError("the operation was not executed");
         if (hasOutputs(*part)) setValues(args, arguments);
@@ -160,6 +160,9 @@ void OperationServant::sendOperationOneway(const char* operation, const CAnyArgu
     } catch (const CORBA::Exception& error) {
         log(Error) << "another process sends operation '" << operation << "' of service '" << service_->getName()
                    << "' without success: " << error._name() << endlog();
+    } catch (const std::exception& thrown) {
+        log(Error) << "another process sends operation '" << operation << "' of service '" << service_->getName()
+                   << "' without success: " << thrown.what() << endlog();
     }
 }
 

@@ -71,7 +71,7 @@ public:
         CAnyArguments values = use_.values();
         CORBA::Any_var result;
         try {
-            const CService_var service = operation.reachable();
+            const CService_var service = operation.reachable(RemoteOperation::Unlimited);
             result = whileServing([&] { return service->callOperation(operation.name.c_str(), values); });
         } catch (const CORBA::Exception& error) {
             operation.fail(error);
@@ -113,9 +113,10 @@ private:
 class RemoteHandle {
 public:
     typedef boost::shared_ptr<RemoteHandle> Pointer;
-    RemoteHandle(Operation operation, CSendHandle_ptr handle) : operation_(std::move(operation)), handle_(handle) {}
+    RemoteHandle(Operation operation, CSendHandle_ptr handle)
+        : operation_(std::move(operation)), handle_(handle), limited_(limited<CSendHandle>(handle)) {}
     ~RemoteHandle() {
-        later([handle = handle_] { handle->dispose(); });
+        later([handle = limited_] { handle->dispose(); });
     }
     RemoteHandle(const RemoteHandle&) = delete;
     RemoteHandle& operator=(const RemoteHandle&) = delete;
@@ -124,7 +125,7 @@ public:
         try {
             CAnyArguments_var values;
             const CSendStatus status = wait ? whileServing([&] { return handle_->collect(values.out()); })
-                                            : handle_->collectIfDone(values.out());
+                                            : limited_->collectIfDone(values.out());
             if (status == CSendSuccess)
                 for (CORBA::ULong i = 0; i != values->length() && i != into.size(); ++i)
                     if (into[i] && !assign(values[i], into[i])) return CollectFailure;
@@ -136,7 +137,7 @@ public:
 
 private:
     const Operation operation_;
-    const CSendHandle_var handle_;
+    const CSendHandle_var handle_, limited_;
 };
 
 class SendSource final : public internal::DataSource<RemoteHandle::Pointer> {
@@ -147,8 +148,10 @@ public:
         use_.evaluate();
         const RemoteOperation& operation = *use_.operation;
         try {
-            sent_.reset(new RemoteHandle(use_.operation,
-                                         operation.reachable()->sendOperation(operation.name.c_str(), use_.values())));
+            const CService_var service = operation.reachable(RemoteOperation::Limited);
+            sent_.reset(new RemoteHandle(use_.operation, whileServing([&] {
+                                             return service->sendOperation(operation.name.c_str(), use_.values());
+                                         })));
         } catch (const CORBA::Exception& error) {
             operation.fail(error);
         }
@@ -193,8 +196,10 @@ private:
 
 }  // namespace
 
-CService_var RemoteOperation::reachable() const {
-    const CService_var found = peer->isLost() ? CService_var() : service->get();
+CService_var RemoteOperation::reachable(Patience patience) const {
+    const CService_var found = peer->isLost()        ? CService_var()
+                               : patience == Limited ? service->getLimited()
+                                                     : service->get();
     if (CORBA::is_nil(found))
         throw std::runtime_error("operation '" + name + "' of component '" + peer->name() +
                                  "': its process does not answer");

@@ -21,8 +21,9 @@ struct RemoteOperation {
     std::string name, description;
     internal::OperationSignature signature;
 
+    enum Patience { Limited, Unlimited };
     /** To call it. Throws std::runtime_error if the peer does not answer at present. */
-    CService_var reachable() const;
+    CService_var reachable(Patience patience) const;
     /** Throws what a call of this process would throw. */
     [[noreturn]] void fail(const CORBA::Exception& error) const;
 };

@@ -16,14 +16,19 @@ namespace RTT {
 namespace corba {
 namespace detail {
 
-/** The same object; calls by this reference throw CORBA::TIMEOUT after three seconds. */
+/** The same object; calls by this reference throw CORBA::TIMEOUT after three seconds. The caller owns it. */
+inline CORBA::Object_ptr limitedObject(CORBA::Object_ptr reference) {
+    const CORBA::ORB_var orb = ApplicationServer::orb;
+    if (CORBA::is_nil(reference) || CORBA::is_nil(orb)) return CORBA::Object::_nil();
+    // A reference of its own, because the limit is one of the reference.
+    const CORBA::String_var text = orb->object_to_string(reference);
+    const CORBA::Object_ptr copy = orb->string_to_object(text);
+    omniORB::setClientCallTimeout(copy, 3000);
+    return copy;
+}
 template <class Interface>
 typename Interface::_var_type limited(typename Interface::_ptr_type reference) {
-    if (CORBA::is_nil(reference) || CORBA::is_nil(ApplicationServer::orb)) return Interface::_nil();
-    // A reference of its own, because the limit is one of the reference.
-    const CORBA::String_var text = ApplicationServer::orb->object_to_string(reference);
-    const CORBA::Object_var copy = ApplicationServer::orb->string_to_object(text);
-    omniORB::setClientCallTimeout(copy, 3000);
+    const CORBA::Object_var copy = limitedObject(reference);
     return Interface::_unchecked_narrow(copy);
 }
 

@@ -122,7 +122,7 @@ void addUndescribed(Service& service, CService_ptr reference, const CServiceDesc
         if (known.count(names[i].in())) continue;
         const CService_var child = reference->getService(names[i]);
         if (CORBA::is_nil(child)) continue;
-        const CServiceDescription_var its = child->getCServiceDescription();
+        const CServiceDescription_var its = limited<CService>(child)->getCServiceDescription();
         addChild(service, child, its.in(), peer, ports, prefix);
     }
 }
@@ -145,7 +145,7 @@ void fill(Service& service, CService_ptr reference, const CServiceDescription& d
     const CORBA::ULong children = std::min(described.children.length(), described.children_descriptions.length());
     for (CORBA::ULong i = 0; i != children; ++i)
         addChild(service, described.children[i], described.children_descriptions[i], peer, ports, prefix);
-    addUndescribed(service, reference, described, peer, ports, prefix);
+    addUndescribed(service, own->getLimited(), described, peer, ports, prefix);
 }
 
 Service::shared_ptr newRemoteService(CService_ptr reference) {

@@ -28,8 +28,8 @@ class CallThreads {
 public:
     void execute(Job& job) {
         const std::lock_guard<std::mutex> lock(mutex_);
+        if (jobs_.size() >= idle_) begin();
         jobs_.push_back(&job);
-        if (jobs_.size() > idle_) begin();
         arrived_.notify_one();
     }
 

@@ -7,6 +7,7 @@
 #include <rtt/transports/corba/corba.h>
 
 #include <algorithm>
+#include <exception>
 #include <mutex>
 #include <utility>
 #include <vector>
@@ -32,6 +33,8 @@ void callOf(Watch::Entry& entry) {
         check();
     } catch (const CORBA::Exception& error) {
         log(Error) << "another process cannot be watched: " << error._name() << endlog();
+    } catch (const std::exception& thrown) {
+        log(Error) << "another process cannot be watched: " << thrown.what() << endlog();
     }
 }
 
