@@ -123,6 +123,43 @@ TEST_F(CorbaFaults, AStoppedProcessDelaysNobody) {
     expectSamplesCross(4);
 }
 
+TEST_F(CorbaFaults, SamplesOfAPauseArriveAfterIt) {
+    connect(ConnPolicy::buffer(10));
+    expectSamplesCross(1);
+    child->send(SIGSTOP);
+    EXPECT_EQ(here.out.write(5), WriteSuccess);
+    std::this_thread::sleep_for(std::chrono::milliseconds(2500));  // longer than one sample may take
+    EXPECT_EQ(here.out.write(6), WriteSuccess);
+    EXPECT_EQ(here.out.write(7), WriteSuccess);
+    child->send(SIGCONT);
+    double got = 0;
+    EXPECT_TRUE(soon([&] {
+        double sample = 0;
+        while (here.in.read(sample) == NewData) got = sample;
+        return got == 14;
+    })) << got;
+}
+
+TEST_F(CorbaFaults, EveryBufferPolicyEndsAtBothSides) {
+    for (const int buffers : {PerConnection, PerInputPort, PerOutputPort}) {
+        SCOPED_TRACE(buffers);
+        ConnPolicy policy = ConnPolicy::buffer(10);
+        policy.buffer_policy = static_cast<BufferPolicy>(buffers);
+        ASSERT_TRUE(here.out.connectTo(peer->getPort("in"), policy));
+        EXPECT_TRUE(peer->getPort("in")->connected());
+        here.out.disconnect();
+        EXPECT_TRUE(soon([&] { return !peer->getPort("in")->connected(); }));
+        ASSERT_TRUE(peer->getPort("out")->connectTo(&here.in, policy));
+        EXPECT_TRUE(here.in.connected());
+        here.in.disconnect();
+        EXPECT_TRUE(soon([&] { return !peer->getPort("out")->connected(); }));
+    }
+    ConnPolicy shared = ConnPolicy::buffer(10);
+    shared.buffer_policy = Shared;
+    EXPECT_FALSE(here.out.connectTo(peer->getPort("in"), shared));
+    EXPECT_FALSE(here.out.connected() || peer->getPort("in")->connected());
+}
+
 TEST_F(CorbaFaults, AHundredConnections) {
     connect(ConnPolicy::data());
     for (int i = 0; i != 100 && !HasFailure(); ++i) {

@@ -117,8 +117,8 @@ bool connected(const OutputPortInterface& output, const InputPortInterface& inpu
 
 bool ConnFactory::createConnection(OutputPortInterface& output, InputPortInterface& input, ConnPolicy const& wanted) {
     if (output.isLocal() && output.connectedTo(&input)) return connected(output, input, "already");
-    if (wanted.buffer_policy == Shared) return createSharedConnection(&output, &input, nullptr, wanted);
     if (output.isLocal() && !input.isLocal()) return input.connectFrom(output, wanted);
+    if (wanted.buffer_policy == Shared) return createSharedConnection(&output, &input, nullptr, wanted);
     if (!checkEnds(output, input)) return false;
     if (wanted.transport != 0) return outOfBand(output, input, wanted);
 

@@ -12,6 +12,7 @@
 #include <rtt/transports/corba/RemoteConnID.hpp>
 #include <rtt/transports/corba/ServiceC.h>
 #include <rtt/transports/corba/detail/expected_channel.hpp>
+#include <rtt/transports/corba/detail/later.hpp>
 #include <rtt/transports/corba/detail/lost_connections.hpp>
 #include <rtt/transports/corba/detail/remote_channel.hpp>
 #include <rtt/transports/corba/detail/remote_peer.hpp>
@@ -31,6 +32,7 @@ using detail::RemoteChannel;
 ConnPolicy completed(const ConnPolicy& policy) {
     ConnPolicy made = policy;
     if (made.buffer_policy == UnspecifiedBufferPolicy) made.buffer_policy = PerConnection;
+    if (made.lock_policy == ConnPolicy::UNSYNC) made.lock_policy = ConnPolicy::LOCKED;  // a thread at each end
     if (made.buffer_policy == PerInputPort) made.pull = ConnPolicy::PUSH;
     if (made.buffer_policy == PerOutputPort) made.pull = ConnPolicy::PULL;
     return made;
@@ -78,7 +80,11 @@ CDataFlowInterface_ptr RemotePort<Base>::getDataFlowInterface() const {
 template <class Base>
 template <class Result, class Call>
 Result RemotePort<Base>::ask(const char* wanted, Result otherwise, Call call) const {
-    const CDataFlowInterface_var interface = getDataFlowInterface();
+    CDataFlowInterface_var interface;
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        if (!isLost_) interface = interface_;
+    }
     if (CORBA::is_nil(interface)) return otherwise;
     try {
         return detail::whileServing([&] { return call(interface.in()); });
@@ -152,10 +158,16 @@ bool RemotePort<Base>::createStream(ConnPolicy const& policy) {
 template <class Base>
 void RemotePort<Base>::lost() {
     lost_->ended();
+    const std::lock_guard<std::mutex> lock(mutex_);
+    isLost_ = true;
 }
 
 template <class Base>
 void RemotePort<Base>::restore() {
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        isLost_ = false;
+    }
     lost_->restore([this](base::PortInterface& port, const ConnPolicy& policy) {
         return connectedTo(&port) || port.connectTo(this, policy);
     });
@@ -166,14 +178,38 @@ template class RemotePort<base::OutputPortInterface>;
 
 namespace {
 
+/** Ends both ends of a connection that does not come about. */
+class Attempt {
+public:
+    explicit Attempt(CRemoteChannelElement_ptr remote) : remote_(CRemoteChannelElement::_duplicate(remote)) {}
+    ~Attempt() {
+        if (isDone) return;
+        if (channel) channel->leave();
+        detail::later([remote = remote_] { remote->disconnect(); });
+    }
+    Attempt(const Attempt&) = delete;
+    Attempt& operator=(const Attempt&) = delete;
+
+    RemoteChannel::Pointer channel;
+    bool isDone = false;
+
+private:
+    const CRemoteChannelElement_var remote_;
+};
+
 /** By a stream of another transport, whose ends both processes make. */
 bool joinOutOfBand(base::OutputPortInterface& output, CDataFlowInterface_ptr interface, const std::string& input,
                    const ConnPolicy& policy) {
     if (!output.createStream(policy)) return false;
     const internal::StreamConnID stream(policy.name_id);
-    CConnPolicy given = toCORBA(policy);
-    const CChannelElement_var element = interface->buildChannelOutput(input.c_str(), given);
-    if (!CORBA::is_nil(element) && element->channelReady(given)) return true;
+    try {
+        CConnPolicy given = toCORBA(policy);
+        const CChannelElement_var element = interface->buildChannelOutput(input.c_str(), given);
+        if (!CORBA::is_nil(element) && element->channelReady(given)) return true;
+    } catch (const CORBA::Exception&) {
+        (void)output.getManager()->removeConnection(&stream);
+        throw;
+    }
     (void)output.getManager()->removeConnection(&stream);
     return false;
 }
@@ -191,6 +227,12 @@ bool RemoteInputPort::connectFrom(base::OutputPortInterface& output, ConnPolicy 
                    << " of another process" << endlog();
         return false;
     }
+    if (wanted.buffer_policy == Shared) {
+        log(Error) << "port " << getFullName()
+                   << " of another process cannot be connected: connections with the buffer "
+                   << "policy Shared do not cross processes" << endlog();
+        return false;
+    }
     return ask("cannot be connected", false, [&](CDataFlowInterface_ptr interface) -> bool {
         if (wanted.transport != 0 && wanted.transport != ORO_CORBA_PROTOCOL_ID) {
             const bool joined = joinOutOfBand(output, interface, getName(), wanted);
@@ -200,23 +242,25 @@ bool RemoteInputPort::connectFrom(base::OutputPortInterface& output, ConnPolicy 
         CConnPolicy given = toCORBA(wanted);
         const CChannelElement_var element = interface->buildChannelOutput(getName().c_str(), given);
         const CRemoteChannelElement_var remote = CRemoteChannelElement::_narrow(element);
+        if (CORBA::is_nil(remote)) return false;
+        Attempt attempt(detail::limited<CRemoteChannelElement>(remote));
         const RemoteChannel::Pointer channel =
-            CORBA::is_nil(remote)
-                ? nullptr
-                : RemoteChannel::make(RemoteChannel::End::Writer, *type, wanted, output.getFullName());
+            RemoteChannel::make(RemoteChannel::End::Writer, *type, wanted, output.getFullName());
+        attempt.channel = channel;
         if (!channel) return false;
-        channel->setRemoteSide(remote);
-        channel->whenEnded(lost_->remember(output, policy));
-        const base::ChannelElementBase::shared_ptr storage = internal::ConnFactory::makeChannelInput(output, wanted);
+        // The storage is one of this connection, whatever the other process has.
+        ConnPolicy own = wanted;
+        own.buffer_policy = PerConnection;
+        const base::ChannelElementBase::shared_ptr storage = internal::ConnFactory::makeChannelInput(output, own);
         if (!storage) return false;
+        channel->setRemoteSide(remote);
         storage->connectTo(channel);
         remote->setRemoteSide(CRemoteChannelElement_var(channel->reference()));
-        if (!remote->channelReady(given)) {
-            channel->leave();
-            return false;
-        }
+        if (!remote->channelReady(given)) return false;
         policy.name_id = given.name_id.in();
-        return output.addConnection(new RemoteConnID(interface, getName(), getFullName()), storage, wanted);
+        channel->whenEnded(lost_->remember(output, policy));
+        attempt.isDone = output.addConnection(new RemoteConnID(interface, getName(), getFullName()), storage, own);
+        return attempt.isDone;
     });
 }
 

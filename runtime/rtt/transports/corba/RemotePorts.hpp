@@ -33,7 +33,7 @@ public:
     void attach(CDataFlowInterface_ptr interface);
     /** The caller owns the reference; nil if there is none. */
     CDataFlowInterface_ptr getDataFlowInterface() const;
-    /** The other process has ended. */
+    /** The other process does not answer: until restore() it is not called. */
     void lost();
     /** It answers again: connects again with the ports of this process that it was connected with. */
     void restore();
@@ -55,6 +55,7 @@ protected:
 private:
     mutable std::mutex mutex_;
     CDataFlowInterface_var interface_;
+    bool isLost_ = false;
     const types::TypeInfo* const type_;
 };
 

@@ -71,7 +71,7 @@ TaskContextProxy* refused(const std::string& location, const IllegalServer& erro
 }
 
 std::string nameOf(CTaskContext_ptr task) {
-    const CORBA::String_var name = task->getName();
+    const CORBA::String_var name = detail::limited<CTaskContext>(task)->getName();
     return name.in();
 }
 
@@ -182,6 +182,11 @@ TaskContext* TaskContextProxy::Create(CTaskContext_ptr task, bool force_remote) 
 }
 
 void TaskContextProxy::DestroyOrb() { TaskContextServer::DestroyOrb(); }
+
+void TaskContextProxy::followFile(const std::string& file) {
+    const std::lock_guard<std::recursive_mutex> lock(checkMutex_);
+    file_ = file;
+}
 
 CTaskContext_ptr TaskContextProxy::server() const {
     const std::lock_guard<std::mutex> lock(mutex_);

@@ -92,7 +92,7 @@ protected:
     TaskContextProxy();
     void initFromURIOrTaskname(std::string location, bool is_ior);
     /** The file has the reference of the component also after it was started again. */
-    void followFile(const std::string& file) { file_ = file; }
+    void followFile(const std::string& file);
 
 private:
     void begin(CTaskContext_ptr task);

@@ -32,6 +32,7 @@ using base::PortInterface;
 ConnPolicy policyOf(const CConnPolicy& given) {
     ConnPolicy policy = toRTT(given);
     if (policy.buffer_policy == UnspecifiedBufferPolicy) policy.buffer_policy = PerConnection;
+    if (policy.lock_policy == ConnPolicy::UNSYNC) policy.lock_policy = ConnPolicy::LOCKED;  // a thread at each end
     if (policy.buffer_policy == PerInputPort) policy.pull = ConnPolicy::PUSH;
     if (policy.buffer_policy == PerOutputPort) policy.pull = ConnPolicy::PULL;
     return policy;
@@ -39,6 +40,13 @@ ConnPolicy policyOf(const CConnPolicy& given) {
 
 bool isOutOfBand(const ConnPolicy& policy) {
     return policy.transport != 0 && policy.transport != ORO_CORBA_PROTOCOL_ID;
+}
+
+/** The storage at an end is of this connection, whatever the other process has. */
+ConnPolicy ofOneConnection(const ConnPolicy& policy) {
+    ConnPolicy made = policy;
+    made.buffer_policy = PerConnection;
+    return made;
 }
 
 /** A connection with a port of which only the channel is known. */
@@ -136,24 +144,31 @@ CChannelElement_ptr DataFlowServant::buildChannelOutput(const char* input_port, 
     const ServedComponent::Use use(*served_);
     InputPortInterface& input = inputPort(input_port);
     const ConnPolicy wanted = policyOf(policy);
+    if (isOutOfBand(wanted) && !typeOf(input).hasProtocol(wanted.transport)) return CChannelElement::_nil();
+    if (isOutOfBand(wanted) && wanted.name_id.empty()) {
+        // The writer asks for the name.
+        if (!input.createStream(wanted)) throw CInvalidArgument();
+        policy = toCORBA(wanted);
+        return newChannel(RemoteChannel::End::Reader, input, wanted)->reference();
+    }
+    base::ChannelElementBase::shared_ptr last;
+    if (!isOutOfBand(wanted) && !wanted.pull) {
+        last = internal::ConnFactory::makeChannelOutput(input, ofOneConnection(wanted));
+        if (!last) throw CInvalidArgument();
+    }
     const RemoteChannel::Pointer channel = newChannel(RemoteChannel::End::Reader, input, wanted);
     if (isOutOfBand(wanted)) {
-        if (!typeOf(input).hasProtocol(wanted.transport)) return CChannelElement::_nil();
-        channel->whenReady([served = served_, service = service_, name = std::string(input_port), wanted] {
+        channel->whenReady([served = served_, service = service_, name = std::string(input_port), wanted, channel] {
             const ServedComponent::Use inside(*served);
             PortInterface* const port = service->getPort(name);
-            return port && port->createStream(wanted);
+            const bool isMade = port && port->createStream(wanted);
+            channel->leave();  // the stream needs it no more
+            return isMade;
         });
         return channel->reference();
     }
-    base::ChannelElementBase::shared_ptr last = channel;
-    if (!wanted.pull) {
-        last = internal::ConnFactory::makeChannelOutput(input, wanted);
-        if (!last) throw CInvalidArgument();
-        channel->connectTo(last);
-    } else {
-        channel->connectTo(base::ChannelElementBase::shared_ptr(input.getEndpoint()));
-    }
+    channel->connectTo(last ? last : base::ChannelElementBase::shared_ptr(input.getEndpoint()));
+    if (!last) last = channel;
     const ExpectedChannel::Known expected = ExpectedChannel::of(input);
     channel->whenEnded(expected.ended);
     channel->whenReady(
@@ -177,10 +192,13 @@ CChannelElement_ptr DataFlowServant::buildChannelInput(const char* output_port, 
     }
     const RemoteChannel::Pointer channel = newChannel(RemoteChannel::End::Writer, output, wanted);
     if (isOutOfBand(wanted)) return channel->reference();
-    const base::ChannelElementBase::shared_ptr storage = internal::ConnFactory::makeChannelInput(output, wanted);
-    if (!storage) throw CInvalidArgument();
-    storage->connectTo(channel);
-    if (!output.addConnection(newId(), storage, wanted)) throw CInvalidArgument();
+    const base::ChannelElementBase::shared_ptr storage =
+        internal::ConnFactory::makeChannelInput(output, ofOneConnection(wanted));
+    if (storage) storage->connectTo(channel);
+    if (!storage || !output.addConnection(newId(), storage, ofOneConnection(wanted))) {
+        channel->leave();
+        throw CInvalidArgument();
+    }
     return channel->reference();
 }
 

@@ -8,19 +8,20 @@
 #include <rtt/transports/corba/CorbaTypeTransporter.hpp>
 #include <rtt/transports/corba/detail/any_values.hpp>
 #include <rtt/transports/corba/detail/later.hpp>
-#include <rtt/os/TimeService.hpp>
+#include <rtt/transports/corba/detail/remote_peer.hpp>
 #include <rtt/types/TypeInfo.hpp>
 #include <rtt/types/TypeOps.hpp>
 
 #include <omniORB4/omniORB.h>
 
+#include <exception>
+#include <string>
 #include <utility>
 
 namespace RTT::corba::detail {
 
 namespace {
 constexpr CORBA::ULong kPatience = 2000;  // ms, for one sample
-constexpr nsecs kSilence = 1000000000;    // a reader does not wait for each sample of a process that hangs
 }  // namespace
 
 /** The object that the other process calls. */
@@ -136,6 +137,12 @@ bool RemoteChannel::isReady() {
     return !ready || ready();
 }
 
+void RemoteChannel::whenEnded(LostConnections::Ended ended) {
+    if (ended) reached_ = true;  // by the proxy that has asked for this connection
+    const std::lock_guard<std::mutex> lock(remoteMutex_);
+    ended_ = std::move(ended);
+}
+
 bool RemoteChannel::signal() {
     if (end_ == End::Reader) return base::ChannelElementBase::signal();
     return sender_->trigger();
@@ -143,17 +150,18 @@ bool RemoteChannel::signal() {
 
 FlowStatus RemoteChannel::readErased(void* sample, bool copyOld) {
     const CRemoteChannelElement_var other = remote();
-    if (CORBA::is_nil(other) || os::TimeService::Instance()->getNSecs() < silentUntil_) return NoData;
+    if (CORBA::is_nil(other) || hangs_) return NoData;
     try {
         CORBA::Any_var any;
         const auto status = static_cast<FlowStatus>(other->read(any.out(), copyOld));
+        reached_ = true;
         if (status == NoData || (status == OldData && !copyOld)) return status;
         const std::lock_guard<std::mutex> lock(sampleMutex_);
         if (!transporter_.updateFromAny(&any.in(), sample_)) return NoData;
         ops_.assign(sample, sample_->getRawConstPointer());
         return status;
     } catch (const CORBA::Exception& error) {
-        fail(error);
+        (void)fail(error);
         return NoData;
     }
 }
@@ -162,11 +170,15 @@ FlowStatus RemoteChannel::readErased(void* sample, bool copyOld) {
 void RemoteChannel::sendAll() {
     for (;;) {
         const CRemoteChannelElement_var other = remote();
-        if (CORBA::is_nil(other)) return;
+        if (CORBA::is_nil(other) || hangs_) return;
         try {
             if (!isSent(other)) return;
+            reached_ = true;
         } catch (const CORBA::Exception& error) {
-            return fail(error);
+            if (!fail(error)) return;
+        } catch (const std::exception& thrown) {
+            if (!reported_.exchange(true))
+                log(Error) << described_ << ": a sample cannot be sent: " << thrown.what() << endlog();
         }
     }
 }
@@ -190,32 +202,43 @@ bool RemoteChannel::isSent(CRemoteChannelElement_ptr other) {
     }
     const CWriteStatus status = other->write(any);
     if (status == CNotConnected) leave();
-    if (status == CWriteFailure && !reported_.exchange(true))
-        log(Warning) << described_ << ": the reader in another process does not take a sample" << endlog();
-    if (status == CWriteSuccess) reported_ = false;
+    if (status == CWriteFailure && !refused_.exchange(true))
+        log(Warning) << described_ << ": the reader in another process does not take every sample" << endlog();
     return status != CNotConnected;
 }
 
-void RemoteChannel::fail(const CORBA::Exception& error) {
-    if (CORBA::OBJECT_NOT_EXIST::_downcast(&error)) return leave();  // it has left, and did not tell yet
-    const bool isPassing = CORBA::TIMEOUT::_downcast(&error) != nullptr;
-    if (!reported_.exchange(true))
-        log(Error) << described_ << ": the other process does not answer (" << error._name() << "), "
-                   << (isPassing ? "samples are lost" : "the connection ends") << endlog();
-    if (isPassing)
-        silentUntil_ = os::TimeService::Instance()->getNSecs() + kSilence;
-    else
-        end(true);
+/** True if the next sample may fare better. */
+bool RemoteChannel::fail(const CORBA::Exception& error) {
+    const bool isGone = CORBA::OBJECT_NOT_EXIST::_downcast(&error) != nullptr;
+    const bool hangs = CORBA::TIMEOUT::_downcast(&error) != nullptr;
+    const bool isLost = isGone || CORBA::COMM_FAILURE::_downcast(&error) || CORBA::TRANSIENT::_downcast(&error) ||
+                        CORBA::INV_OBJREF::_downcast(&error);
+    if (hangs) hangs_ = true;
+    if (!isGone && !reported_.exchange(true))  // one that has left just did not tell yet
+        log(Error) << described_ << ": "
+                   << (hangs    ? "the other process does not answer (TIMEOUT), samples are lost"
+                       : isLost ? "the other process does not answer (" + std::string(error._name()) +
+                                      "), the connection ends"
+                                : "a sample does not cross (" + describe(error) + ")")
+                   << endlog();
+    if (isLost) end(true);
+    return !isLost && !hangs;
 }
 
+// One that never could be reached may have an address of its own network only: it can write all the same.
 void RemoteChannel::watchOther() {
     const CRemoteChannelElement_var other = remote();
     if (CORBA::is_nil(other)) return;
     try {
         (void)other->inputReady();
+        reached_ = true;
+        if (!hangs_.exchange(false)) return;
         reported_ = false;
+        if (sender_) (void)sender_->trigger();  // for the samples that wait
+    } catch (const CORBA::TRANSIENT& error) {
+        if (reached_ || end_ == End::Writer) (void)fail(error);
     } catch (const CORBA::Exception& error) {
-        fail(error);
+        (void)fail(error);
     }
 }
 
@@ -246,9 +269,13 @@ bool RemoteChannel::disconnect(shared_ptr const& channel, bool forward) {
     if (!left_.exchange(true)) {
         const Pointer self(this);
         later([self] {
-            const CRemoteChannelElement_var other = self->remote();
+            const CRemoteChannelElement_var other = self->hangs_ ? CRemoteChannelElement_var() : self->remote();
+            try {
+                if (!CORBA::is_nil(other)) other->remoteDisconnect(self->end_ == End::Writer);
+            } catch (const CORBA::Exception&) {
+                // It is gone, or notices that the object is.
+            }
             self->deactivate();
-            if (!CORBA::is_nil(other)) other->remoteDisconnect(self->end_ == End::Writer);
         });
     }
     return base::ChannelElementBase::disconnect(channel, forward);
@@ -256,7 +283,12 @@ bool RemoteChannel::disconnect(shared_ptr const& channel, bool forward) {
 
 void RemoteChannel::end(bool isGone) {
     if (left_.exchange(true)) return;
-    if (ended_) ended_(isGone);
+    LostConnections::Ended ended;
+    {
+        const std::lock_guard<std::mutex> lock(remoteMutex_);
+        ended.swap(ended_);
+    }
+    if (ended) ended(isGone);
     const Pointer self(this);
     later([self] {
         self->deactivate();

@@ -55,7 +55,7 @@ public:
     CRemoteChannelElement_ptr reference() const { return CRemoteChannelElement::_duplicate(reference_); }
     void setRemoteSide(CRemoteChannelElement_ptr other);
     void whenReady(Ready ready) { ready_ = std::move(ready); }
-    void whenEnded(LostConnections::Ended ended) { ended_ = std::move(ended); }
+    void whenEnded(LostConnections::Ended ended);
 
     // From the port's side.
     bool signal() override;
@@ -86,7 +86,7 @@ private:
     CRemoteChannelElement_var remote() const;
     void sendAll();
     bool isSent(CRemoteChannelElement_ptr other);
-    void fail(const CORBA::Exception& error);
+    bool fail(const CORBA::Exception& error);
     void end(bool isGone);
     void watchOther();
     void breakChain();
@@ -98,7 +98,7 @@ private:
     const std::string described_;
     const base::DataSourceBase::shared_ptr sample_;  // of the thread that holds sampleMutex_
     std::mutex sampleMutex_;
-    mutable std::mutex remoteMutex_;  // guards remote_, servant_, reference_, ready_
+    mutable std::mutex remoteMutex_;  // guards remote_, servant_, reference_, ready_, ended_
     CRemoteChannelElement_var remote_;
     PortableServer::ServantBase* servant_ = nullptr;
     CRemoteChannelElement_var reference_;
@@ -106,8 +106,11 @@ private:
     std::unique_ptr<Watch> watch_;      // notices the end of the other process while no sample comes or goes
     Ready ready_;
     LostConnections::Ended ended_;
-    std::atomic<nsecs> silentUntil_{0};
-    std::atomic<bool> reported_{false}, left_{false};
+    std::atomic<bool> reached_{false};   // the other end has answered
+    std::atomic<bool> hangs_{false};     // it did not in time; nobody waits for it until it answers the watch
+    std::atomic<bool> reported_{false};  // that, or a sample that cannot be sent
+    std::atomic<bool> refused_{false};   // that the reader does not take samples
+    std::atomic<bool> left_{false};
 };
 
 }  // namespace detail
