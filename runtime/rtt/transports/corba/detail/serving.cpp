@@ -5,11 +5,14 @@
 #include <rtt/os/SignalsBlocked.hpp>
 #include <rtt/os/futex.hpp>
 
+#include <atomic>
 #include <condition_variable>
+#include <cstdint>
 #include <deque>
 #include <exception>
 #include <mutex>
 #include <thread>
+#include <utility>
 
 #include <pthread.h>
 
@@ -17,19 +20,13 @@ namespace RTT::corba::detail {
 
 namespace {
 
-struct Job {
-    const std::function<void()>& work;
-    std::exception_ptr thrown = nullptr;
-    std::atomic<std::uint32_t> state{0};  // 1 when it is done
-};
-
-/** Threads that wait for calls, as many as there have been at once. */
+/** Threads that wait for work, as many as there has been at once. */
 class CallThreads {
 public:
-    void execute(Job& job) {
+    void execute(std::function<void()> work) {
         const std::lock_guard<std::mutex> lock(mutex_);
-        if (jobs_.size() >= idle_) begin();
-        jobs_.push_back(&job);
+        if (work_.size() >= idle_) begin();
+        work_.push_back(std::move(work));
         arrived_.notify_one();
     }
 
@@ -43,30 +40,21 @@ private:
         pthread_setname_np(pthread_self(), "CorbaCall");
         std::unique_lock<std::mutex> lock(mutex_);
         for (;;) {
-            arrived_.wait(lock, [this] { return !jobs_.empty(); });
-            Job& job = *jobs_.front();
-            jobs_.pop_front();
+            arrived_.wait(lock, [this] { return !work_.empty(); });
+            std::function<void()> next = std::move(work_.front());
+            work_.pop_front();
             --idle_;
             lock.unlock();
-            perform(job);
+            next();
+            next = nullptr;
             lock.lock();
             ++idle_;
         }
     }
-    static void perform(Job& job) {
-        try {
-            job.work();
-        } catch (...) {
-            job.thrown = std::current_exception();
-        }
-        // The waiting thread destroys the job as soon as it sees the state: only its address is used after that.
-        job.state.store(1, std::memory_order_release);
-        os::detail::futexWakeAll(job.state);
-    }
 
     std::mutex mutex_;
     std::condition_variable arrived_;
-    std::deque<Job*> jobs_;
+    std::deque<std::function<void()>> work_;
     std::size_t idle_ = 0;
 };
 
@@ -77,11 +65,23 @@ CallThreads& callThreads() {
 
 }  // namespace
 
+void executeAside(std::function<void()> work) { callThreads().execute(std::move(work)); }
+
 void executeElsewhere(const std::function<void()>& work) {
-    Job job{work};
-    callThreads().execute(job);
-    while (job.state.load(std::memory_order_acquire) == 0) internal::EngineGate::sleepOn(job.state, 0);
-    if (job.thrown) std::rethrow_exception(job.thrown);
+    std::exception_ptr thrown;
+    std::atomic<std::uint32_t> done{0};
+    executeAside([&] {
+        try {
+            work();
+        } catch (...) {
+            thrown = std::current_exception();
+        }
+        // The waiting thread leaves as soon as it sees the value: only the address is used after that.
+        done.store(1, std::memory_order_release);
+        os::detail::futexWakeAll(done);
+    });
+    while (done.load(std::memory_order_acquire) == 0) internal::EngineGate::sleepOn(done, 0);
+    if (thrown) std::rethrow_exception(thrown);
 }
 
 }  // namespace RTT::corba::detail

@@ -17,6 +17,9 @@ namespace detail {
     throws. */
 void executeElsewhere(const std::function<void()>& work);
 
+/** Has another thread execute `work`, and does not wait for it. `work` throws nothing. */
+void executeAside(std::function<void()> work);
+
 /**
  * Makes a call of another process, which blocks. Within a step of a component, another thread makes it, because the
  * other process may call back an operation that only the thread of the component executes.

@@ -5,8 +5,11 @@
 #include <rtt/Activity.hpp>
 #include <rtt/Logger.hpp>
 #include <rtt/transports/corba/corba.h>
+#include <rtt/transports/corba/detail/serving.hpp>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <exception>
 #include <mutex>
 #include <utility>
@@ -17,6 +20,8 @@ namespace RTT::corba::detail {
 struct Watch::Entry {
     std::recursive_mutex mutex;  // of the function, which may destroy its watch
     std::function<void()> check;
+    std::atomic<bool> isSlow{false};  // it waits for a process that hangs
+    std::atomic<bool> isBusy{false};
 };
 
 namespace {
@@ -25,10 +30,13 @@ constexpr Seconds kPeriod = 1.0;
 
 typedef std::shared_ptr<Watch::Entry> Entry;
 
+constexpr std::chrono::milliseconds kSlow{200};
+
 void callOf(Watch::Entry& entry) {
     const std::lock_guard<std::recursive_mutex> lock(entry.mutex);
     const std::function<void()> check = entry.check;
     if (!check) return;
+    const auto begin = std::chrono::steady_clock::now();
     try {
         check();
     } catch (const CORBA::Exception& error) {
@@ -36,6 +44,16 @@ void callOf(Watch::Entry& entry) {
     } catch (const std::exception& thrown) {
         log(Error) << "another process cannot be watched: " << thrown.what() << endlog();
     }
+    entry.isSlow = std::chrono::steady_clock::now() - begin > kSlow;
+}
+
+/** So that others do not wait for this one. */
+void callAside(const Entry& entry) {
+    if (entry->isBusy.exchange(true)) return;
+    executeAside([entry] {
+        callOf(*entry);
+        entry->isBusy = false;
+    });
 }
 
 class Watcher final : public Activity {
@@ -54,17 +72,28 @@ public:
         entries_.erase(std::remove(entries_.begin(), entries_.end(), entry), entries_.end());
     }
 
+    void end() {
+        (void)stop();
+        for (const Entry& one : entries()) {
+            const std::lock_guard<std::recursive_mutex> executing(one->mutex);
+        }
+    }
+
 protected:
     void step() override {
-        std::vector<Entry> all;
-        {
-            const std::lock_guard<std::mutex> lock(mutex_);
-            all = entries_;
-        }
-        for (const Entry& one : all) callOf(*one);
+        const std::vector<Entry> all = entries();
+        for (const Entry& one : all)
+            if (one->isSlow)
+                callAside(one);
+            else
+                callOf(*one);
     }
 
 private:
+    std::vector<Entry> entries() {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        return entries_;
+    }
     std::mutex mutex_;
     std::vector<Entry> entries_;
 };
@@ -87,6 +116,6 @@ Watch::~Watch() {
     entry_->check = nullptr;
 }
 
-void endWatches() { (void)watcher().stop(); }
+void endWatches() { watcher().end(); }
 
 }  // namespace RTT::corba::detail
