@@ -96,6 +96,24 @@ TEST_F(CorbaProcesses, OperationsAreCalledAndSent) {
     EXPECT_TRUE(peer->inException());
 }
 
+TEST_F(CorbaProcesses, WhatItRequiresIsProvidedFromHere) {
+    struct Here : TaskContext {
+        Here() : TaskContext("here") { provides("wish")->addOperation("wished", &Here::wished, this); }
+        int wished(int value) { return value + 1; }
+    } here;
+    EXPECT_EQ(peer->requires_()->getRequesterNames(), ServiceRequester::RequesterNames{"wish"});
+    EXPECT_EQ(peer->requires_("wish")->getOperationCallerNames(), ServiceRequester::OperationCallerNames{"wished"});
+    EXPECT_FALSE(peer->requires_("wish")->ready());
+    OperationCaller<int(int)> callWished(peer->getOperation("callWished"));
+    EXPECT_EQ(callWished(3), -1);
+    EXPECT_TRUE(here.connectServices(peer.get()));
+    EXPECT_TRUE(peer->requires_("wish")->ready());
+    EXPECT_EQ(callWished(3), 4);
+    peer->requires_("wish")->disconnect();
+    EXPECT_EQ(callWished(3), -1);
+    corba::TaskContextServer::CleanupServer(&here);
+}
+
 TEST_F(CorbaProcesses, TheStateChangesThere) {
     EXPECT_EQ(peer->getTaskState(), TaskContext::PreOperational);
     EXPECT_FALSE(peer->start());

@@ -8,6 +8,7 @@
 #include <rtt/transports/corba/TaskContextServer.hpp>
 #include <rtt/transports/corba/detail/naming.hpp>
 #include <rtt/transports/corba/detail/remote_peer.hpp>
+#include <rtt/transports/corba/detail/remote_requester.hpp>
 #include <rtt/transports/corba/detail/remote_service.hpp>
 #include <rtt/transports/corba/detail/served_components.hpp>
 #include <rtt/transports/corba/detail/serving.hpp>
@@ -211,6 +212,7 @@ bool TaskContextProxy::synchronize() {
     try {
         const CTaskContextDescription_var described = from->getCTaskContextDescription();
         detail::fill(*provides(), described->mainprovider, described->mainprovider_description, remote_, ports_);
+        detail::fill(*requires_(), described->mainrequester, described->mainrequester_description, remote_, callers_);
         return true;
     } catch (const CORBA::Exception& error) {
         remote_->failed(error);

@@ -3,6 +3,7 @@
 #ifndef ORO_CORBA_TASK_CONTEXT_PROXY_HPP
 #define ORO_CORBA_TASK_CONTEXT_PROXY_HPP
 
+#include <rtt/OperationCaller.hpp>
 #include <rtt/TaskContext.hpp>
 #include <rtt/transports/corba/ApplicationServer.hpp>
 #include <rtt/transports/corba/TaskContextC.h>
@@ -112,11 +113,12 @@ private:
     mutable std::mutex mutex_;               // guards the next two
     std::vector<CTaskContext_var> servers_;  // the last is valid; server() has lent the others
     CTaskContext_var limited_;
-    std::recursive_mutex checkMutex_;  // one check at a time; guards ports_ and isLossKnown_
+    std::recursive_mutex checkMutex_;  // one check at a time; guards ports_, callers_ and isLossKnown_
     bool isLossKnown_ = false;         // to the ports
     std::string location_, file_;      // location_: the name in the naming service
     std::shared_ptr<detail::RemotePeer> remote_;
     std::vector<std::unique_ptr<base::PortInterface>> ports_;
+    std::vector<std::unique_ptr<base::OperationCallerBaseInvoker>> callers_;
     std::unique_ptr<detail::Watch> watch_;
 };
 

@@ -34,6 +34,8 @@ public:
     RemotePart(std::shared_ptr<RemotePeer> peer, std::shared_ptr<const RemoteReference> service,
                const COperation& described);
 
+    /** The service that has it; the caller owns the reference. */
+    CService_var service() const { return operation_->service->get(); }
     /** It is the same operation. */
     bool is(const COperation& described) const;
     std::string getName() const override { return operation_->name; }
