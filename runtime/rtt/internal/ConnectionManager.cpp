@@ -24,7 +24,7 @@ bool ConnectionManager::isInput(const PortInterface& port) { return port.asInput
 /** Ports of the same direction in one shared connection are not connected with each other. */
 bool ConnectionManager::leadsTo(const Connection& connection, const PortInterface& port) const {
     if (connection.id->peer() == &port || connection.id->partner() == &port) return true;
-    return connection.shared && isInput(port) != isInput(*port_) && port.manager_->uses(connection.channel.get());
+    return connection.shared && isInput(port) != isOfInput_ && port.manager_->uses(connection.channel.get());
 }
 
 ConnectionManager::Connections ConnectionManager::getConnections() const {
@@ -91,8 +91,8 @@ bool ConnectionManager::removeIf(Which which) {
     }
     // Transports end their part without the lock: towards the reader from an output port, and vice versa.
     for (const Connection& c : gone)
-        if (!c.id->peer() && !c.shared) c.channel->disconnect(nullptr, !isInput(*port_));
-    for (const Connection& c : partners) c.channel->disconnect(nullptr, isInput(*port_));
+        if (!c.id->peer() && !c.shared) c.channel->disconnect(nullptr, !isOfInput_);
+    for (const Connection& c : partners) c.channel->disconnect(nullptr, isOfInput_);
     gone.clear();
     partners.clear();
     Reclaimer::collect();
@@ -122,7 +122,7 @@ void ConnectionManager::unlink(const Connection& connection) {
     if (connection.shared)
         for (const SharedConnectionBase::Member& m : connection.shared->members_) linkTo(*channel, *m.port, m.input);
     // Others are not asked for their direction, because they may be under destruction.
-    const bool input = isInput(*port_);
+    const bool input = isOfInput_;
     for (const Connection& c : connections_)
         if (c.channel.get() == channel && c.id->peer()) linkTo(*channel, *c.id->peer(), !input);
     if (!peer) return;
@@ -157,6 +157,7 @@ bool ConnectionManager::uses(const ChannelElementBase* channel) const {
 }
 
 void ConnectionManager::add(const Connection& connection) {
+    isOfInput_ = isInput(*port_);
     connections_.push_back(connection);
     publish();
 }

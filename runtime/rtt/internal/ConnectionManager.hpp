@@ -87,6 +87,8 @@ private:
 
     List connections_;
     base::PortInterface* port_;
+    // As of the last connection: a port under destruction is not asked, because its class is changing.
+    bool isOfInput_ = false;
 };
 
 }  // namespace internal
