@@ -6,8 +6,10 @@
 #include <rtt/transports/corba/detail/end_point.hpp>
 #include <rtt/transports/corba/detail/orb_run.hpp>
 
+#include <algorithm>
 #include <cstdlib>
-#include <cstring>
+#include <fstream>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,20 +24,23 @@ namespace {
 /** What the command line and the environment say about the ORB. Its own defaults are for whatever they leave open. */
 class OrbOptions {
 public:
-    OrbOptions(int argc, char* argv[]) : arguments_(argv, argv + argc) {}
+    OrbOptions(int argc, char* argv[]) : arguments_(argv, argv + argc), file_(settingsIn(fileName())) {}
 
     bool has(const std::string& option) const {
         if (std::getenv(("ORB" + option).c_str())) return true;
         for (const std::string& argument : arguments_)
             if (argument == "-ORB" + option) return true;
-        return false;
+        return std::any_of(file_.begin(), file_.end(), [&](const auto& setting) { return setting.first == option; });
     }
     /** The naming service's host, if it is known. */
     std::string nameServiceHost() const {
         for (const std::string& argument : arguments_)
             if (argument.compare(0, 12, "NameService=") == 0) return detail::hostOfReference(argument);
-        const char* const fromEnvironment = std::getenv("ORBInitRef");
-        return fromEnvironment ? detail::hostOfReference(fromEnvironment) : "";
+        if (const char* const fromEnvironment = std::getenv("ORBInitRef"))
+            return detail::hostOfReference(fromEnvironment);
+        for (const auto& [name, value] : file_)
+            if (name == "InitRef" && value.compare(0, 12, "NameService=") == 0) return detail::hostOfReference(value);
+        return {};
     }
     void setDefault(const std::string& option, const std::string& value) {
         if (!has(option)) defaults_.emplace_back(option, value);
@@ -43,7 +48,29 @@ public:
     const std::vector<std::pair<std::string, std::string>>& defaults() const { return defaults_; }
 
 private:
+    typedef std::vector<std::pair<std::string, std::string>> Settings;
+
+    /** The file that omniORB reads. */
+    std::string fileName() const {
+        const auto given = std::find(arguments_.begin(), arguments_.end(), "-ORBconfigFile");
+        if (given != arguments_.end() && given + 1 != arguments_.end()) return *(given + 1);
+        const char* const fromEnvironment = std::getenv("OMNIORB_CONFIG");
+        return fromEnvironment ? fromEnvironment : "/etc/omniORB.cfg";
+    }
+    /** Its lines "name = value". */
+    static Settings settingsIn(const std::string& file) {
+        Settings all;
+        std::ifstream lines(file);
+        for (std::string line; std::getline(lines, line);) {
+            std::istringstream words(line);
+            std::string name, equals, value;
+            if (words >> name >> equals >> value && name[0] != '#' && equals == "=") all.emplace_back(name, value);
+        }
+        return all;
+    }
+
     const std::vector<std::string> arguments_;
+    const Settings file_;
     std::vector<std::pair<std::string, std::string>> defaults_;
 };
 
