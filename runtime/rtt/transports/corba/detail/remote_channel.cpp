@@ -209,7 +209,7 @@ bool RemoteChannel::isSent(CRemoteChannelElement_ptr other) {
 
 /** True if the next sample may fare better. */
 bool RemoteChannel::fail(const CORBA::Exception& error) {
-    const bool isGone = CORBA::OBJECT_NOT_EXIST::_downcast(&error) != nullptr;
+    const bool isGone = CORBA::OBJECT_NOT_EXIST::_downcast(&error) || CORBA::OBJ_ADAPTER::_downcast(&error);
     const bool hangs = CORBA::TIMEOUT::_downcast(&error) != nullptr;
     const bool isLost = isGone || CORBA::COMM_FAILURE::_downcast(&error) || CORBA::TRANSIENT::_downcast(&error) ||
                         CORBA::INV_OBJREF::_downcast(&error);

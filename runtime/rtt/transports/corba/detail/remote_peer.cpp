@@ -16,6 +16,7 @@ std::string describe(const CORBA::Exception& error) {
         {"COMM_FAILURE", "its process has ended, or the connection to it is broken"},
         {"TRANSIENT", "its process cannot be reached"},
         {"OBJECT_NOT_EXIST", "it was destroyed"},
+        {"OBJ_ADAPTER", "its process is ending"},
         {"TIMEOUT", "it does not answer in time"},
         {"INV_OBJREF", "its reference is wrong"},
         {"BAD_OPERATION", "it has another interface, such as that of the original before version 2.9"},
@@ -30,7 +31,8 @@ namespace {
 
 bool isLoss(const CORBA::Exception& error) {
     return CORBA::COMM_FAILURE::_downcast(&error) || CORBA::TRANSIENT::_downcast(&error) ||
-           CORBA::TIMEOUT::_downcast(&error) || CORBA::OBJECT_NOT_EXIST::_downcast(&error);
+           CORBA::TIMEOUT::_downcast(&error) || CORBA::OBJECT_NOT_EXIST::_downcast(&error) ||
+           CORBA::OBJ_ADAPTER::_downcast(&error);
 }
 
 }  // namespace
