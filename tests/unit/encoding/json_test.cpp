@@ -37,6 +37,8 @@ TEST_F(EncodedTypes, JsonKeepsAllDigits) {
     comesBack(*jsonOf<double>(), std::numeric_limits<double>::denorm_min(), "5e-324");
     comesBack(*jsonOf<double>(), -0.0, "-0.0");
     comesBack(*jsonOf<float>(), 0.1F, "0.1");
+    comesBack(*jsonOf<float>(), std::numeric_limits<float>::max(), "3.4028235e+38");
+    comesBack(*jsonOf<float>(), std::numeric_limits<float>::lowest(), "-3.4028235e+38");
     comesBack(*jsonOf<double>(), std::numeric_limits<double>::quiet_NaN(), "\"NaN\"");
     comesBack(*jsonOf<double>(), -std::numeric_limits<double>::infinity(), "\"-Infinity\"");
     comesBack(*jsonOf<unsigned long long>(), ~0ULL, "18446744073709551615");
@@ -72,6 +74,8 @@ TEST_F(EncodedTypes, MistakesInJsonHaveAPlace) {
     EXPECT_EQ(mistake(R"({"mode": 258})"), "mode: found 258, expected a number that the enumeration can have");
     float number = 0;
     EXPECT_EQ(jsonOf<float>()->parse("1e300", &number), "found 1e+300, expected a number that is not so large");
+    EXPECT_EQ(jsonOf<float>()->parse("3.4028236e38", &number),
+              "found 3.4028236e+38, expected a number that is not so large");
     unsigned zero = 1;
     EXPECT_EQ(jsonOf<unsigned>()->parse("-0", &zero), "");
     EXPECT_EQ(mistake(R"({"levels": [1e999]})"), "the text has a number that is too large");

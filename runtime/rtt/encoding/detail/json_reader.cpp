@@ -111,11 +111,15 @@ bool JsonReader::getWhole(const Json& from, void* value) {
 template <class Real>
 bool JsonReader::getReal(const Json& from, void* value) {
     typedef std::numeric_limits<Real> Limits;
+    constexpr double most = static_cast<double>(Limits::max());
     Real number = 0;
-    if (from.is_number() && std::abs(from.get<double>()) > static_cast<double>(Limits::max()))
+    const double exact = from.is_number() ? from.get<double>() : 0;
+    // The shortest text of the largest float, 3.4028235e+38, is a little more than it.
+    if (std::abs(exact) > most && std::abs(exact) - most >= most * static_cast<double>(Limits::epsilon()) / 4)
         return expected("a number that is not so large", from);
     if (from.is_number())
-        number = from.get<Real>();
+        number = std::abs(exact) > most ? std::copysign(Limits::max(), static_cast<Real>(exact > 0 ? 1 : -1))
+                                        : from.get<Real>();
     else if (from == "NaN")
         number = Limits::quiet_NaN();
     else if (from == "Infinity")
