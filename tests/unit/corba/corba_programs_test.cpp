@@ -128,7 +128,8 @@ protected:
         made.program = program;
         made.arguments = words;
         made.directory = directory_.path();
-        made.environment = {{"ORO_LOGFILE", "/dev/null"}, {"OROCOS_TARGET", TARGET_NAME}};
+        made.environment = {
+            {"ORO_LOGFILE", "/dev/null"}, {"OROCOS_TARGET", TARGET_NAME}, {"OMNIORB_CONFIG", "/dev/null"}};
         made.timeout = kPatience;
         return made;
     }
