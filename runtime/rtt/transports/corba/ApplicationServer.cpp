@@ -4,7 +4,9 @@
 
 #include <rtt/Logger.hpp>
 #include <rtt/transports/corba/detail/end_point.hpp>
+#include <rtt/transports/corba/detail/later.hpp>
 #include <rtt/transports/corba/detail/orb_run.hpp>
+#include <rtt/transports/corba/detail/watch.hpp>
 
 #include <algorithm>
 #include <cstdlib>
@@ -98,6 +100,12 @@ CORBA::ORB_ptr makeOrb(int& argc, char* argv[], const OrbOptions& options) {
     return CORBA::ORB_init(argc, argv, "omniORB4", reinterpret_cast<Option*>(flat.data()));
 }
 
+/** For programs that end without DestroyOrb(): omniORB is taken apart soon. */
+void endThreads() {
+    detail::endWatches();
+    detail::endLater();
+}
+
 }  // namespace
 
 bool ApplicationServer::InitOrb(int argc, char* argv[], Seconds orb_timeout) {
@@ -118,6 +126,8 @@ bool ApplicationServer::InitOrb(int argc, char* argv[], Seconds orb_timeout) {
         const PortableServer::POAManager_var manager = rootPOA->the_POAManager();
         manager->activate();
         detail::beginRun();
+        static const int ended = std::atexit(&endThreads);
+        (void)ended;
         return true;
     } catch (const CORBA::Exception& error) {
         log(Error) << "the ORB cannot be started: " << error._name()
