@@ -14,6 +14,7 @@
 #include <rtt/transports/corba/detail/expected_channel.hpp>
 #include <rtt/transports/corba/detail/later.hpp>
 #include <rtt/transports/corba/detail/lost_connections.hpp>
+#include <rtt/transports/corba/detail/policies.hpp>
 #include <rtt/transports/corba/detail/remote_channel.hpp>
 #include <rtt/transports/corba/detail/remote_peer.hpp>
 #include <rtt/transports/corba/detail/served_components.hpp>
@@ -27,16 +28,8 @@ namespace RTT::corba {
 
 namespace {
 
+using detail::completed;
 using detail::RemoteChannel;
-
-ConnPolicy completed(const ConnPolicy& policy) {
-    ConnPolicy made = policy;
-    if (made.buffer_policy == UnspecifiedBufferPolicy) made.buffer_policy = PerConnection;
-    if (made.lock_policy == ConnPolicy::UNSYNC) made.lock_policy = ConnPolicy::LOCKED;  // a thread at each end
-    if (made.buffer_policy == PerInputPort) made.pull = ConnPolicy::PUSH;
-    if (made.buffer_policy == PerOutputPort) made.pull = ConnPolicy::PULL;
-    return made;
-}
 
 /** The reference of the interface of a port of this process; nil, with an error logged, if it belongs to no
     component. */
@@ -234,7 +227,7 @@ bool RemoteInputPort::connectFrom(base::OutputPortInterface& output, ConnPolicy 
         return false;
     }
     return ask("cannot be connected", false, [&](CDataFlowInterface_ptr interface) -> bool {
-        if (wanted.transport != 0 && wanted.transport != ORO_CORBA_PROTOCOL_ID) {
+        if (detail::isOutOfBand(wanted)) {
             const bool joined = joinOutOfBand(output, interface, getName(), wanted);
             policy.name_id = wanted.name_id;
             return joined;
@@ -248,9 +241,7 @@ bool RemoteInputPort::connectFrom(base::OutputPortInterface& output, ConnPolicy 
             RemoteChannel::make(RemoteChannel::End::Writer, *type, wanted, output.getFullName());
         attempt.channel = channel;
         if (!channel) return false;
-        // The storage is one of this connection, whatever the other process has.
-        ConnPolicy own = wanted;
-        own.buffer_policy = PerConnection;
+        const ConnPolicy own = detail::ofOneConnection(wanted);
         const base::ChannelElementBase::shared_ptr storage = internal::ConnFactory::makeChannelInput(output, own);
         if (!storage) return false;
         channel->setRemoteSide(remote);

@@ -194,20 +194,21 @@ CTaskContext_ptr TaskContextProxy::server() const {
     return servers_.empty() ? CTaskContext::_nil() : servers_.back().in();
 }
 
+CTaskContext_var TaskContextProxy::limited() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return limited_;
+}
+
 void TaskContextProxy::setServer(CTaskContext_ptr task) {
-    const CTaskContext_var limited = detail::limited<CTaskContext>(task);
+    const CTaskContext_var own = detail::limited<CTaskContext>(task);
     const std::lock_guard<std::mutex> lock(mutex_);
     servers_.push_back(CTaskContext::_duplicate(task));
-    limited_ = limited;
+    limited_ = own;
 }
 
 bool TaskContextProxy::synchronize() {
     const std::lock_guard<std::recursive_mutex> lock(checkMutex_);
-    CTaskContext_var from;
-    {
-        const std::lock_guard<std::mutex> own(mutex_);
-        from = limited_;
-    }
+    const CTaskContext_var from = limited();
     if (CORBA::is_nil(from)) return false;
     try {
         const CTaskContextDescription_var described = from->getCTaskContextDescription();
@@ -221,11 +222,7 @@ bool TaskContextProxy::synchronize() {
 }
 
 bool TaskContextProxy::answers() {
-    CTaskContext_var from;
-    {
-        const std::lock_guard<std::mutex> lock(mutex_);
-        from = limited_;
-    }
+    const CTaskContext_var from = limited();
     if (CORBA::is_nil(from)) return false;
     try {
         (void)from->getTaskState();
@@ -290,11 +287,7 @@ Result TaskContextProxy::ask(Result otherwise, Call call) const {
 
 template <class Result, class Call>
 Result TaskContextProxy::askBriefly(Result otherwise, Call call) const {
-    CTaskContext_var from;
-    {
-        const std::lock_guard<std::mutex> lock(mutex_);
-        from = limited_;
-    }
+    const CTaskContext_var from = limited();
     return askBy(from, otherwise, call);
 }
 

@@ -98,6 +98,7 @@ protected:
 private:
     void begin(CTaskContext_ptr task);
     void setServer(CTaskContext_ptr task);
+    CTaskContext_var limited() const;
     template <class Result, class Call>
     Result ask(Result otherwise, Call call) const;
     /** For questions that are answered at once. */

@@ -8,16 +8,15 @@
 #include <rtt/internal/ConnectionManager.hpp>
 #include <rtt/internal/SharedConnection.hpp>
 #include <rtt/transports/corba/CorbaConnPolicy.hpp>
-#include <rtt/transports/corba/CorbaLib.hpp>
 #include <rtt/transports/corba/RemoteConnID.hpp>
 #include <rtt/transports/corba/RemotePorts.hpp>
 #include <rtt/transports/corba/detail/any_values.hpp>
 #include <rtt/transports/corba/detail/expected_channel.hpp>
+#include <rtt/transports/corba/detail/policies.hpp>
 #include <rtt/transports/corba/detail/remote_channel.hpp>
 #include <rtt/transports/corba/detail/served_components.hpp>
 #include <rtt/types/TypeInfo.hpp>
 
-#include <atomic>
 #include <utility>
 
 namespace RTT::corba::detail {
@@ -28,32 +27,10 @@ using base::InputPortInterface;
 using base::OutputPortInterface;
 using base::PortInterface;
 
-/** As the original does, except for a policy that says nothing of its storage. */
-ConnPolicy policyOf(const CConnPolicy& given) {
-    ConnPolicy policy = toRTT(given);
-    if (policy.buffer_policy == UnspecifiedBufferPolicy) policy.buffer_policy = PerConnection;
-    if (policy.lock_policy == ConnPolicy::UNSYNC) policy.lock_policy = ConnPolicy::LOCKED;  // a thread at each end
-    if (policy.buffer_policy == PerInputPort) policy.pull = ConnPolicy::PUSH;
-    if (policy.buffer_policy == PerOutputPort) policy.pull = ConnPolicy::PULL;
-    return policy;
-}
-
-bool isOutOfBand(const ConnPolicy& policy) {
-    return policy.transport != 0 && policy.transport != ORO_CORBA_PROTOCOL_ID;
-}
-
-/** The storage at an end is of this connection, whatever the other process has. */
-ConnPolicy ofOneConnection(const ConnPolicy& policy) {
-    ConnPolicy made = policy;
-    made.buffer_policy = PerConnection;
-    return made;
-}
+ConnPolicy policyOf(const CConnPolicy& given) { return completed(toRTT(given)); }
 
 /** A connection with a port of which only the channel is known. */
-internal::ConnID* newId() {
-    static std::atomic<unsigned> made{0};
-    return new RemoteConnID(corba::CDataFlowInterface::_nil(), "#" + std::to_string(++made));
-}
+internal::ConnID* newId() { return new RemoteConnID(corba::CDataFlowInterface::_nil(), ""); }
 
 /** Throws CNoCorbaTransport. */
 const types::TypeInfo& typeOf(const PortInterface& port) {
