@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 #include <support/child_process.hpp>
 #include <support/temp_dir.hpp>
+#include <unit/transports/transport_fixture.hpp>
 
 #include <chrono>
 #include <csignal>
@@ -23,15 +24,7 @@
 
 namespace corba_test {
 
-template <class Condition>
-bool soon(Condition condition) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-    while (!condition()) {
-        if (std::chrono::steady_clock::now() > end) return false;
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    return true;
-}
+using transport_test::soon;
 
 class PeerFixture : public testing::Test {
 protected:

@@ -13,6 +13,7 @@
 #include <rtt/transports/corba/TaskContextServer.hpp>
 #include <rtt/transports/corba/TransportPlugin.hpp>
 
+#include "../transports/transport_fixture.hpp"
 #include "../types/builtin_typekit.hpp"
 
 #include <chrono>
@@ -23,15 +24,7 @@ using namespace RTT;
 
 namespace {
 
-template <class Condition>
-bool soon(Condition condition) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-    while (!condition()) {
-        if (std::chrono::steady_clock::now() > end) return false;
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    return true;
-}
+using transport_test::soon;
 
 class CorbaParts : public types_test::WithBuiltinTypes {
 protected:

@@ -18,10 +18,10 @@
 
 namespace transport_test {
 
-/// True as soon as `condition()` is, false after 10 s.
+/// True as soon as `condition()` is, false after 20 s.
 template <class Condition>
 bool soon(Condition condition) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
     while (!condition()) {
         if (std::chrono::steady_clock::now() > end) return false;
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
