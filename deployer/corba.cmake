@@ -15,18 +15,11 @@ set_target_properties(orocos-ocl-deployment-corba PROPERTIES
 add_library(oroforge_corba_program OBJECT bin/corba_program.cpp)
 target_link_libraries(oroforge_corba_program PUBLIC oroforge_deployer_program orocos-ocl-deployment-corba)
 
-foreach(program cdeployer deployer-corba rttscript-corba ctaskbrowser)
-  string(REPLACE - _ source ${program})
-  add_executable(${program} bin/${source}.cpp)
-  set_target_properties(${program} PROPERTIES
-    OUTPUT_NAME ${program}-${OROCOS_TARGET}
-    INSTALL_RPATH "$ORIGIN/../lib;$ORIGIN/../lib/orocos/${OROCOS_TARGET}/plugins")
-  configure_file(bin/wrapper ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/${program} COPYONLY)
-  install(TARGETS ${program} RUNTIME DESTINATION bin COMPONENT runtime)
-  install(PROGRAMS bin/wrapper DESTINATION bin RENAME ${program} COMPONENT runtime)
-endforeach()
 foreach(program cdeployer deployer-corba rttscript-corba)
+  string(REPLACE - _ source ${program})
+  oroforge_target_program(${program} bin/${source}.cpp)
   target_link_libraries(${program} PRIVATE oroforge_corba_program oroforge_deployer_program)
 endforeach()
+oroforge_target_program(ctaskbrowser bin/ctaskbrowser.cpp)
 target_link_libraries(deployer-corba PRIVATE oroforge_console_stay orocos-ocl-taskbrowser)
 target_link_libraries(ctaskbrowser PRIVATE orocos-ocl-taskbrowser orocos-rtt-corba)
