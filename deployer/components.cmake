@@ -15,7 +15,7 @@ function(oroforge_component_library name)
     OUTPUT_NAME ${target}-${OROCOS_TARGET}
     LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${OROFORGE_PLUGIN_DIR}/ocl
     BUILD_RPATH_USE_ORIGIN ON
-    INSTALL_RPATH "$ORIGIN/../../..")
+    INSTALL_RPATH "$ORIGIN/../../..;$ORIGIN")
   set_property(GLOBAL APPEND PROPERTY OROFORGE_COMPONENT_LIBRARIES ${target})
 endfunction()
 
@@ -28,7 +28,8 @@ function(oroforge_ocl_service name)
     OUTPUT_NAME ${name}-${OROCOS_TARGET}
     LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${OROFORGE_PLUGIN_DIR}/ocl/plugins
     BUILD_RPATH_USE_ORIGIN ON
-    INSTALL_RPATH "$ORIGIN/../../../..")
+    INSTALL_RPATH "$ORIGIN/../../../..;$ORIGIN/..")
+  set_property(GLOBAL APPEND PROPERTY OROFORGE_COMPONENT_SERVICES ${target})
 endfunction()
 
 oroforge_component_library(common components/common.cpp components/HMIConsoleOutput.cpp)

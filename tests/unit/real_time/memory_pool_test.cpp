@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 // The allocator of real-time memory by itself. After every change its blocks and lists are checked.
-#include <rtt/os/detail/memory_pool.hpp>
+#include <rtt/os/memory_pool.hpp>
 
 #include <algorithm>
 #include <cstring>

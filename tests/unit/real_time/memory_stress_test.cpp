@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 // Threads that allocate, resize and free, and free what others allocated.
-#include <rtt/os/detail/memory_pool.hpp>
+#include <rtt/os/memory_pool.hpp>
 #include <rtt/os/oro_malloc.h>
 #include <rtt/os/tlsf/tlsf.h>
 

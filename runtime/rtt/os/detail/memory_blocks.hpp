@@ -4,7 +4,7 @@
 #ifndef RTT_OS_DETAIL_MEMORY_BLOCKS_HPP
 #define RTT_OS_DETAIL_MEMORY_BLOCKS_HPP
 
-#include <rtt/os/detail/memory_pool.hpp>
+#include <rtt/os/memory_pool.hpp>
 
 namespace RTT {
 namespace os {

@@ -2,7 +2,7 @@
 // Copyright Oroforge contributors
 // The invariants of a MemoryPool, checked from its memory alone.
 #include <rtt/os/detail/memory_blocks.hpp>
-#include <rtt/os/detail/memory_pool.hpp>
+#include <rtt/os/memory_pool.hpp>
 
 namespace RTT::os::detail {
 

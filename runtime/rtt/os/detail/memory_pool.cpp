@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-#include <rtt/os/detail/memory_pool.hpp>
+#include <rtt/os/memory_pool.hpp>
 
 #include <rtt/os/detail/memory_blocks.hpp>
 

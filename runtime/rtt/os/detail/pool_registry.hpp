@@ -3,7 +3,7 @@
 #ifndef RTT_OS_DETAIL_POOL_REGISTRY_HPP
 #define RTT_OS_DETAIL_POOL_REGISTRY_HPP
 
-#include <rtt/os/detail/memory_pool.hpp>
+#include <rtt/os/memory_pool.hpp>
 
 #include <atomic>
 

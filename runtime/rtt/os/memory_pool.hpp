@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-#ifndef RTT_OS_DETAIL_MEMORY_POOL_HPP
-#define RTT_OS_DETAIL_MEMORY_POOL_HPP
+#ifndef RTT_OS_MEMORY_POOL_HPP
+#define RTT_OS_MEMORY_POOL_HPP
 
 #include <rtt/os/detail/size_classes.hpp>
 #include <rtt/rtt-config.h>

@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: Apache-2.0
+# Copyright Oroforge contributors
+# Lua: the module `rtt`, components, services and programs. Left out where Lua 5.1 is not installed.
+#
+# Debian has the library compiled as C++, too: its errors are exceptions, so that destructors run.
+pkg_check_modules(LUA IMPORTED_TARGET lua5.1-c++)
+if(NOT LUA_FOUND)
+  message(STATUS "Lua 5.1 (liblua5.1-0-dev) is not installed: no Lua components and programs")
+  return()
+endif()
+
+oroforge_component_library(lua
+  lua/LuaComponent.cpp
+  lua/assign_table.cpp
+  lua/bind_hook.cpp
+  lua/bind_module.cpp
+  lua/bind_operation.cpp
+  lua/bind_port.cpp
+  lua/bind_property.cpp
+  lua/bind_requester.cpp
+  lua/bind_service.cpp
+  lua/bind_task.cpp
+  lua/bind_variable.cpp
+  lua/box.cpp
+  lua/conversion.cpp
+  lua/describe_operation.cpp
+  lua/failure.cpp
+  lua/life.cpp
+  lua/memory.cpp
+  lua/operation_call.cpp
+  lua/operation_lookup.cpp
+  lua/owned_things.cpp
+  lua/pool_functions.cpp
+  lua/provided_call.cpp
+  lua/provided_operation.cpp
+  lua/read_signature.cpp
+  lua/script.cpp
+  lua/search_paths.cpp
+  lua/state.cpp
+  lua/values.cpp)
+target_link_libraries(orocos-ocl-lua PRIVATE $<BUILD_INTERFACE:PkgConfig::LUA>)
+
+oroforge_component_library(lua-tlsf lua/LuaTLSFComponent.cpp)
+target_link_libraries(orocos-ocl-lua-tlsf PRIVATE orocos-ocl-lua $<BUILD_INTERFACE:PkgConfig::LUA>)
+oroforge_ocl_service(rttlua-plugin lua/lua_service.cpp)
+oroforge_ocl_service(rttlua-tlsf-plugin lua/lua_tlsf_service.cpp)
+foreach(service rttlua-plugin rttlua-tlsf-plugin)
+  target_link_libraries(ocl-${service}-service PRIVATE orocos-ocl-lua $<BUILD_INTERFACE:PkgConfig::LUA>)
+endforeach()

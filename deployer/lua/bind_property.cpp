@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// Properties and attributes.
+#include "bindings.hpp"
+#include "box.hpp"
+#include "conversion.hpp"
+#include "state.hpp"
+#include "things.hpp"
+#include "owned_things.hpp"
+#include "values.hpp"
+
+#include <rtt/PropertyBag.hpp>
+#include <rtt/internal/DataSources.hpp>
+#include <rtt/types/TypeInfo.hpp>
+
+namespace OCL::lua {
+
+using RTT::base::AttributeBase;
+using RTT::base::DataSourceBase;
+using RTT::base::PropertyBase;
+typedef DataSourceBase::shared_ptr Source;
+
+namespace {
+
+bool isStillIn(RTT::Service& home, const Property& property) {
+    return home.properties()->find(property.name) == property.thing;
+}
+
+bool isStillIn(RTT::Service& home, const Attribute& attribute) {
+    return home.getValue(attribute.name) == attribute.thing;
+}
+
+/** The property or attribute at index 1, which still exists. */
+template <class Box>
+Box& self(lua_State* lua) {
+    Box& box = boxAt<Box>(lua, 1);
+    box.life.check(Box::kName);
+    if (box.exists) {
+        if (!*box.exists) throw Failure(std::string("this ") + Box::kName + " was deleted");
+        return box;
+    }
+    const RTT::Service::shared_ptr home = box.home.lock();
+    if (!home || !isStillIn(*home, box))
+        throw Failure(std::string(Box::kName) + " '" + box.name + "' is no longer in its component");
+    return box;
+}
+
+template <class Box>
+Source valueOf(const Box& box) {
+    Source value = box.thing->getDataSource();
+    if (!value) throw Failure(std::string("this ") + Box::kName + " has no value");
+    return value;
+}
+
+template <class Box>
+int get(lua_State* lua) {
+    const Box& box = self<Box>(lua);
+    pushValue(lua, valueOf(box), box.life);
+    return 1;
+}
+
+template <class Box>
+int getRaw(lua_State* lua) {
+    const Box& box = self<Box>(lua);
+    pushBox<Variable>(lua, valueOf(box), box.life);
+    return 1;
+}
+
+template <class Box>
+int set(lua_State* lua) {
+    luaL_checkany(lua, 2);
+    assign(lua, 2, *valueOf(self<Box>(lua)));
+    return 0;
+}
+
+template <class Box>
+int remove(lua_State* lua) {
+    Box& box = self<Box>(lua);
+    const auto destroy = State::of(lua).owned().take(box.thing);
+    if (!destroy)
+        throw Failure(std::string("this ") + Box::kName + " belongs to its component, which alone can delete it");
+    destroy();
+    destroyBox<Box>(lua, 1);
+    return 0;
+}
+
+template <class Box>
+int collect(lua_State* lua) {
+    if (Box* const box = findBox<Box>(lua, 1)) {
+        if (box->exists && *box->exists) State::of(lua).owned().forget(box->thing);
+        destroyBox<Box>(lua, 1);
+    }
+    return 0;
+}
+
+std::string typeOf(const Source& value) { return value ? value->getTypeName() : "unknown_t"; }
+
+int propertyInfo(lua_State* lua) {
+    const Property& property = self<Property>(lua);
+    lua_newtable(lua);
+    setField(lua, "name", property.thing->getName());
+    setField(lua, "desc", property.thing->getDescription());
+    setField(lua, "type", typeOf(property.thing->getDataSource()));
+    return 1;
+}
+
+int attributeInfo(lua_State* lua) {
+    const Attribute& attribute = self<Attribute>(lua);
+    lua_newtable(lua);
+    setField(lua, "name", attribute.thing->getName());
+    setField(lua, "type", typeOf(attribute.thing->getDataSource()));
+    return 1;
+}
+
+int makeProperty(lua_State* lua) {
+    const RTT::types::TypeInfo& type = typeNamed(textAt(lua, 1));
+    const std::string name = textAt(lua, 2, ""), description = textAt(lua, 3, "");
+    std::unique_ptr<PropertyBase> made(type.buildProperty(name, description));
+    if (!made) throw Failure("type '" + type.getTypeName() + "' has no properties");
+    PropertyBase* const plain = made.release();
+    pushBox<Property>(lua, Held<PropertyBase>{plain, Life(), {}, "", State::of(lua).owned().add(plain)});
+    return 1;
+}
+
+int makeAttribute(lua_State* lua) {
+    const RTT::types::TypeInfo& type = typeNamed(textAt(lua, 1));
+    std::unique_ptr<AttributeBase> made(type.buildAttribute(textAt(lua, 2, "")));
+    if (!made) throw Failure("type '" + type.getTypeName() + "' has no attributes");
+    AttributeBase* const plain = made.release();
+    pushBox<Attribute>(lua, Held<AttributeBase>{plain, Life(), {}, "", State::of(lua).owned().add(plain)});
+    return 1;
+}
+
+/** The part of the value that the key at index 2 names: a member, or an element counted from 0. */
+Source partAt(lua_State* lua, const Source& whole) {
+    if (lua_type(lua, 2) == LUA_TNUMBER) {
+        const Source id(new RTT::internal::ConstantDataSource<int>(static_cast<int>(lua_tonumber(lua, 2))));
+        if (Source part = whole->getMember(id)) return part;
+    } else if (Source part = whole->getMember(textAt(lua, 2))) {
+        return part;
+    }
+    lua_pushvalue(lua, 2);
+    throw Failure("type " + whole->getTypeName() + " has no member '" + textAt(lua, -1) + "'");
+}
+
+template <class Box>
+int index(lua_State* lua) {
+    lua_pushvalue(lua, 2);
+    lua_rawget(lua, lua_upvalueindex(1));
+    if (!lua_isnil(lua, -1)) return 1;
+    const Box& box = self<Box>(lua);
+    pushValue(lua, partAt(lua, valueOf(box)), box.life);
+    return 1;
+}
+
+template <class Box>
+int setIndex(lua_State* lua) {
+    assign(lua, 3, *partAt(lua, valueOf(self<Box>(lua))));
+    return 0;
+}
+
+template <class Box>
+int describe(lua_State* lua) {
+    const Box& box = self<Box>(lua);
+    const Source value = box.thing->getDataSource();
+    if (value) (void)value->evaluate();
+    pushText(lua, box.thing->getName() + " (" + typeOf(value) + ") = " + (value ? value->toString() : "nothing"));
+    return 1;
+}
+
+template <class Box, int (*Make)(lua_State*), int (*Info)(lua_State*)>
+void bind(lua_State* lua) {
+    const luaL_Reg methods[] = {{"new", &guarded<Make>},
+                                {"get", &guarded<&get<Box>>},
+                                {"getRaw", &guarded<&getRaw<Box>>},
+                                {"set", &guarded<&set<Box>>},
+                                {"info", &guarded<Info>},
+                                {"delete", &guarded<&remove<Box>>},
+                                {nullptr, nullptr}};
+    const luaL_Reg events[] = {{"__index", &guarded<&index<Box>>},
+                               {"__newindex", &guarded<&setIndex<Box>>},
+                               {"__tostring", &guarded<&describe<Box>>},
+                               {"__gc", &guarded<&collect<Box>>},
+                               {nullptr, nullptr}};
+    registerKind<Box>(lua, methods, events);
+}
+
+}  // namespace
+
+void bindProperty(lua_State* lua) { bind<Property, &makeProperty, &propertyInfo>(lua); }
+void bindAttribute(lua_State* lua) { bind<Attribute, &makeAttribute, &attributeInfo>(lua); }
+
+void pushProperty(lua_State* lua, RTT::Service& home, PropertyBase* property) {
+    if (!property) throw Failure("'" + home.getName() + "' has no such property");
+    pushBox<Property>(lua,
+                      Held<PropertyBase>{property, Life(home), home.shared_from_this(), property->getName(), nullptr});
+}
+
+void pushAttribute(lua_State* lua, RTT::Service& home, AttributeBase* attribute) {
+    if (!attribute) throw Failure("'" + home.getName() + "' has no such attribute");
+    pushBox<Attribute>(
+        lua, Held<AttributeBase>{attribute, Life(home), home.shared_from_this(), attribute->getName(), nullptr});
+}
+
+}  // namespace OCL::lua

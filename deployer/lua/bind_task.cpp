@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// Components.
+#include "bindings.hpp"
+#include "box.hpp"
+#include "members.hpp"
+#include "operation_lookup.hpp"
+#include "owned_things.hpp"
+#include "port_access.hpp"
+#include "provided_operation.hpp"
+#include "push_requester.hpp"
+#include "state.hpp"
+#include "things.hpp"
+#include "values.hpp"
+
+#include <rtt/OperationCaller.hpp>
+#include <rtt/TaskContext.hpp>
+
+#include <boost/weak_ptr.hpp>
+
+namespace OCL::lua {
+
+using RTT::TaskContext;
+
+namespace {
+
+TaskContext& taskAt(lua_State* lua, int index) {
+    TaskBox& box = boxAt<TaskBox>(lua, index);
+    box.life.check(TaskBox::kName);
+    return *box.component;
+}
+
+TaskContext& self(lua_State* lua) { return taskAt(lua, 1); }
+
+const RTT::Service::shared_ptr serviceOf(lua_State* lua) { return self(lua).provides(); }
+
+int name(lua_State* lua) {
+    pushText(lua, self(lua).getName());
+    return 1;
+}
+
+/** A member function that may call hooks of the component, which may wait for Lua code of other threads. */
+template <auto Function>
+int change(lua_State* lua) {
+    TaskContext& component = self(lua);
+    bool done;
+    {
+        const State::Leave leave(State::of(lua));
+        done = (component.*Function)();
+    }
+    lua_pushboolean(lua, done);
+    return 1;
+}
+
+int error(lua_State* lua) {
+    TaskContext& component = self(lua);
+    const State::Leave leave(State::of(lua));
+    component.error();
+    return 0;
+}
+
+int stateName(lua_State* lua) {
+    const char* const names[] = {"Init",    "PreOperational", "FatalError",  "Exception",
+                                 "Stopped", "Running",        "RunTimeError"};
+    lua_pushstring(lua, names[self(lua).getTaskState()]);
+    return 1;
+}
+
+int peers(lua_State* lua) {
+    pushTexts(lua, self(lua).getPeerList());
+    return 1;
+}
+
+int addPeer(lua_State* lua) {
+    lua_pushboolean(lua, self(lua).addPeer(&taskAt(lua, 2), textAt(lua, 3, "")));
+    return 1;
+}
+
+int removePeer(lua_State* lua) {
+    self(lua).removePeer(textAt(lua, 2));
+    return 0;
+}
+
+int peer(lua_State* lua) {
+    TaskContext& component = self(lua);
+    const std::string wanted = textAt(lua, 2);
+    TaskContext* const found = component.getPeer(wanted);
+    if (!found) throw Failure("component '" + component.getName() + "' has no peer '" + wanted + "'");
+    pushTask(lua, *found);
+    return 1;
+}
+
+int connectPeers(lua_State* lua) {
+    lua_pushboolean(lua, self(lua).connectPeers(&taskAt(lua, 2)));
+    return 1;
+}
+
+int connectPorts(lua_State* lua) {
+    lua_pushboolean(lua, self(lua).connectPorts(&taskAt(lua, 2)));
+    return 1;
+}
+
+int connectServices(lua_State* lua) {
+    lua_pushboolean(lua, self(lua).connectServices(&taskAt(lua, 2)));
+    return 1;
+}
+
+/** Names and describes the port at index 2 as the arguments behind it say. */
+RTT::base::PortInterface& portToAdd(lua_State* lua) {
+    RTT::base::PortInterface& port = portAt(lua, 2);
+    const std::string wanted = textAt(lua, 3, ""), description = textAt(lua, 4, "");
+    if (!wanted.empty() && wanted != port.getName() && !port.setName(wanted))
+        throw Failure("port '" + port.getName() + "' is connected and cannot be renamed to '" + wanted + "'");
+    if (port.getName().empty()) throw Failure("a port needs a name before it is added");
+    if (!description.empty()) port.doc(description);
+    return port;
+}
+
+int addPort(lua_State* lua) {
+    TaskContext& component = self(lua);
+    RTT::base::PortInterface& port = portToAdd(lua);
+    component.addPort(port);
+    // A port leaves its component by itself.
+    State::of(lua).owned().use(&port, [] {});
+    return 0;
+}
+
+int addEventPort(lua_State* lua) {
+    TaskContext& component = self(lua);
+    RTT::base::InputPortInterface* const port = portToAdd(lua).asInput();
+    if (!port) throw Failure("only input ports can be event ports");
+    component.addEventPort(*port);
+    State::of(lua).owned().use(port, [] {});
+    return 0;
+}
+
+int removePort(lua_State* lua) {
+    TaskContext& component = self(lua);
+    const std::string wanted = textAt(lua, 2);
+    RTT::base::PortInterface* const port = component.getPort(wanted);
+    if (!port) throw Failure("component '" + component.getName() + "' has no port '" + wanted + "'");
+    {
+        const State::Leave leave(State::of(lua));
+        component.ports()->removePort(wanted);
+    }
+    State::of(lua).owned().unuse(port);
+    return 0;
+}
+
+int addProperty(lua_State* lua) {
+    TaskContext& component = self(lua);
+    Property& box = boxAt<Property>(lua, 2);
+    box.life.check(Property::kName);
+    const std::string wanted = textAt(lua, 3, ""), description = textAt(lua, 4, "");
+    if (!wanted.empty()) box.thing->setName(wanted);
+    if (!description.empty()) box.thing->setDescription(description);
+    const std::string known = box.thing->getName();
+    if (known.empty()) throw Failure("a property needs a name before it is added");
+    if (!component.addProperty(*box.thing))
+        throw Failure("component '" + component.getName() + "' has a property '" + known + "' already");
+    State::of(lua).owned().use(box.thing,
+                               [home = boost::weak_ptr<RTT::Service>(component.provides()), property = box.thing] {
+                                   if (const RTT::Service::shared_ptr service = home.lock())
+                                       service->properties()->removeProperty(property);
+                               });
+    return 0;
+}
+
+int removeProperty(lua_State* lua) {
+    TaskContext& component = self(lua);
+    const std::string wanted = textAt(lua, 2);
+    RTT::base::PropertyBase* const found = component.getProperty(wanted);
+    if (!found) throw Failure("component '" + component.getName() + "' has no property '" + wanted + "'");
+    component.properties()->removeProperty(found);
+    State::of(lua).owned().unuse(found);
+    return 0;
+}
+
+int addAttribute(lua_State* lua) {
+    TaskContext& component = self(lua);
+    Attribute& box = boxAt<Attribute>(lua, 2);
+    box.life.check(Attribute::kName);
+    const std::string wanted = textAt(lua, 3, "");
+    if (!wanted.empty()) box.thing->setName(wanted);
+    if (!component.addAttribute(*box.thing))
+        throw Failure("component '" + component.getName() + "' has no room for attribute '" + box.thing->getName() +
+                      "': it needs a name of its own");
+    return 0;
+}
+
+int removeAttribute(lua_State* lua) {
+    TaskContext& component = self(lua);
+    const std::string wanted = textAt(lua, 2);
+    if (!component.attributes()->removeAttribute(wanted))
+        throw Failure("component '" + component.getName() + "' has no attribute '" + wanted + "'");
+    return 0;
+}
+
+int addOperation(lua_State* lua) {
+    TaskContext& component = self(lua);
+    provideOperation(lua, *component.provides());
+    return 0;
+}
+
+int removeOperation(lua_State* lua) {
+    TaskContext& component = self(lua);
+    const std::string wanted = textAt(lua, 2);
+    if (!isProvidedHere(lua, component.provides()->getPart(wanted)))
+        throw Failure("no Lua code gave component '" + component.getName() + "' an operation '" + wanted + "'");
+    component.provides()->removeOperation(wanted);
+    return 0;
+}
+
+int loadService(lua_State* lua) {
+    TaskContext& component = self(lua);
+    const std::string wanted = textAt(lua, 2);
+    bool done;
+    {
+        const State::Leave leave(State::of(lua));
+        done = component.loadService(wanted);
+    }
+    lua_pushboolean(lua, done);
+    return 1;
+}
+
+int requires_(lua_State* lua) {
+    TaskContext& component = self(lua);
+    return pushRequester(lua, component.requires_(), Life(component));
+}
+
+/** Only the deployer that loaded a component can destroy it. Null if this component and its peers know of none. */
+TaskContext* deployerOf(TaskContext& own, const std::string& component) {
+    const auto canUnload = [&](TaskContext& one) {
+        return one.provides()->getPart("unloadComponent") && one.hasPeer(component);
+    };
+    if (canUnload(own)) return &own;
+    for (const std::string& peer : own.getPeerList()) {
+        TaskContext* const known = own.getPeer(peer);
+        if (known && canUnload(*known)) return known;
+    }
+    return nullptr;
+}
+
+int remove(lua_State* lua) {
+    TaskContext& component = self(lua);
+    const std::string unwanted = component.getName();
+    State& state = State::of(lua);
+    if (&component == &state.owner()) throw Failure("a component cannot delete itself");
+    TaskContext* const deployer = deployerOf(state.owner(), unwanted);
+    if (!deployer) throw Failure("component '" + unwanted + "' was loaded by no deployer that is a peer");
+    RTT::OperationCaller<bool(const std::string&)> unload(deployer->getOperation("unloadComponent"));
+    bool done;
+    {
+        const State::Leave leave(state);
+        done = unload.ready() && unload(unwanted);
+    }
+    if (!done) throw Failure("component '" + unwanted + "' could not be unloaded; see the log");
+    destroyBox<TaskBox>(lua, 1);
+    return 0;
+}
+
+int index(lua_State* lua) { return findMethod(lua, self(lua).provides()); }
+
+int isSame(lua_State* lua) {
+    const TaskBox* const a = findBox<TaskBox>(lua, 1);
+    const TaskBox* const b = findBox<TaskBox>(lua, 2);
+    lua_pushboolean(lua, a && b && a->component == b->component);
+    return 1;
+}
+
+int describe(lua_State* lua) {
+    pushText(lua, "TaskContext: " + self(lua).getName());
+    return 1;
+}
+
+}  // namespace
+
+void bindTask(lua_State* lua) {
+    typedef Members<&serviceOf> Own;
+    const luaL_Reg methods[] = {{"getName", &guarded<&name>},
+                                {"start", &guarded<&change<&TaskContext::start>>},
+                                {"stop", &guarded<&change<&TaskContext::stop>>},
+                                {"configure", &guarded<&change<&TaskContext::configure>>},
+                                {"activate", &guarded<&change<&TaskContext::activate>>},
+                                {"cleanup", &guarded<&change<&TaskContext::cleanup>>},
+                                {"recover", &guarded<&change<&TaskContext::recover>>},
+                                {"error", &guarded<&error>},
+                                {"getState", &guarded<&stateName>},
+                                {"getPeers", &guarded<&peers>},
+                                {"addPeer", &guarded<&addPeer>},
+                                {"removePeer", &guarded<&removePeer>},
+                                {"getPeer", &guarded<&peer>},
+                                {"connectPeers", &guarded<&connectPeers>},
+                                {"connectPorts", &guarded<&connectPorts>},
+                                {"connectServices", &guarded<&connectServices>},
+                                {"getPortNames", &guarded<&Own::portNames>},
+                                {"addPort", &guarded<&addPort>},
+                                {"addEventPort", &guarded<&addEventPort>},
+                                {"getPort", &guarded<&Own::port>},
+                                {"removePort", &guarded<&removePort>},
+                                {"addProperty", &guarded<&addProperty>},
+                                {"getProperty", &guarded<&Own::property>},
+                                {"getProperties", &guarded<&Own::properties>},
+                                {"getPropertyNames", &guarded<&Own::propertyNames>},
+                                {"removeProperty", &guarded<&removeProperty>},
+                                {"addAttribute", &guarded<&addAttribute>},
+                                {"getAttribute", &guarded<&Own::attribute>},
+                                {"getAttributes", &guarded<&Own::attributes>},
+                                {"getAttributeNames", &guarded<&Own::attributeNames>},
+                                {"removeAttribute", &guarded<&removeAttribute>},
+                                {"addOperation", &guarded<&addOperation>},
+                                {"removeOperation", &guarded<&removeOperation>},
+                                {"getOps", &guarded<&Own::operationNames>},
+                                {"getOpInfo", &guarded<&Own::operationInfo>},
+                                {"getOperationInfo", &guarded<&Own::operationInfo>},
+                                {"hasOperation", &guarded<&Own::hasOperation>},
+                                {"getOperation", &guarded<&Own::operation>},
+                                {"loadService", &guarded<&loadService>},
+                                {"provides", &guarded<&Own::provides>},
+                                {"getProviderNames", &guarded<&Own::providerNames>},
+                                {"requires", &guarded<&requires_>},
+                                {"delete", &guarded<&remove>},
+                                {nullptr, nullptr}};
+    const luaL_Reg events[] = {{"__index", &guarded<&index>},
+                               {"__eq", &guarded<&isSame>},
+                               {"__tostring", &guarded<&describe>},
+                               {nullptr, nullptr}};
+    registerKind<TaskBox>(lua, methods, events);
+}
+
+void pushTask(lua_State* lua, TaskContext& component) { pushBox<TaskBox>(lua, &component, Life(component)); }
+
+}  // namespace OCL::lua

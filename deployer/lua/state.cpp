@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "state.hpp"
+
+#include "bindings.hpp"
+#include "conversion.hpp"
+#include "engine_hook.hpp"
+#include "owned_things.hpp"
+#include "search_paths.hpp"
+
+#include <rtt/ExecutionEngine.hpp>
+#include <rtt/TaskContext.hpp>
+#include <rtt/internal/engine/interruption.hpp>
+#include <rtt/os/fosi.h>
+
+#include <algorithm>
+#include <exception>
+
+namespace OCL::lua {
+
+namespace {
+
+// So many instructions pass between two looks at interruptions and time limits.
+constexpr int kInstructions = 1000;
+
+// Nested calls Lua → C++ → Lua of one thread use its stack; Lua itself knows nothing of them.
+constexpr unsigned kDeepest = 150;
+thread_local unsigned nesting = 0;
+
+int open(lua_State* lua) {
+    luaL_openlibs(lua);
+    openModule(lua);
+    setSearchPaths(lua);
+    return 0;
+}
+
+int addTraceback(lua_State* lua) {
+    if (!lua_isstring(lua, 1)) return 1;
+    lua_getglobal(lua, "debug");
+    if (!lua_istable(lua, -1)) {
+        lua_pop(lua, 1);
+        return 1;
+    }
+    lua_getfield(lua, -1, "traceback");
+    if (!lua_isfunction(lua, -1)) {
+        lua_pop(lua, 2);
+        return 1;
+    }
+    lua_pushvalue(lua, 1);
+    lua_pushinteger(lua, 2);
+    lua_call(lua, 2, 1);
+    return 1;
+}
+
+/** The error on the stack, which need not be a text. */
+std::string takeMessage(lua_State* lua) {
+    std::string message;
+    if (lua_isstring(lua, -1))
+        message = lua_tostring(lua, -1);
+    else
+        message = std::string("(error object is a ") + luaL_typename(lua, -1) + " value)";
+    lua_pop(lua, 1);
+    return message;
+}
+
+}  // namespace
+
+State::State(RTT::TaskContext& owner, std::unique_ptr<Memory> memory)
+    : owner_(owner), memory_(std::move(memory)), owned_(new OwnedThings) {
+    memory_->state = this;
+    main_ = lua_newstate(&Memory::allocate, memory_.get());
+    if (!main_) throw std::bad_alloc();
+    lua_sethook(main_, &State::onCount, LUA_MASKCOUNT, kInstructions);
+    bool opened = false;
+    std::string error;
+    {
+        const Entry entry(*this);
+        opened = lua_cpcall(main_, &open, nullptr) == 0;
+        if (!opened) error = takeMessage(main_);
+    }
+    if (opened) return;
+    lua_close(main_);
+    throw std::runtime_error("Lua cannot be started: " + error);
+}
+
+State::~State() {
+    // Their functions may be waiting for this state.
+    for (const auto& hook : hooks_) hook->disable();
+    {
+        const Entry entry(*this);
+        lua_sethook(main_, nullptr, 0, 0);
+    }
+    enter();
+    lua_close(main_);
+    exit();
+}
+
+void State::enter() {
+    const std::thread::id self = std::this_thread::get_id();
+    if (inside_.load(std::memory_order_relaxed) != self) {
+        mutex_.lock();
+        inside_.store(self, std::memory_order_relaxed);
+    }
+    ++depth_;
+}
+
+void State::exit() {
+    if (--depth_ != 0) return;
+    std::vector<std::function<void()>> unused = owned_->takeUnused();
+    inside_.store(std::thread::id(), std::memory_order_relaxed);
+    mutex_.unlock();
+    // Destroying a port waits for callbacks, which may wait for this state.
+    for (const auto& destroy : unused) destroy();
+}
+
+State::Entry::Entry(State& state) : state_(state) {
+    if (nesting == kDeepest) throw Failure("Lua and C++ call each other too deeply");
+    ++nesting;
+    state.enter();
+    lua_ = state.takeThread();
+}
+
+State::Entry::~Entry() {
+    state_.giveBack(lua_);
+    state_.exit();
+    --nesting;
+}
+
+State::Leave::Leave(State& state)
+    : state_(state),
+      depth_(state.depth_),
+      since_(state.deadline_ ? rtos_get_time_ns() : 0),
+      deadline_(state.deadline_) {
+    state.depth_ = 0;
+    state.deadline_ = 0;
+    state.inside_.store(std::thread::id(), std::memory_order_relaxed);
+    state.mutex_.unlock();
+}
+
+State::Leave::~Leave() {
+    state_.mutex_.lock();
+    state_.inside_.store(std::this_thread::get_id(), std::memory_order_relaxed);
+    state_.depth_ = depth_;
+    state_.deadline_ = deadline_ ? deadline_ + (rtos_get_time_ns() - since_) : 0;
+}
+
+State::Limit::Limit(State& state, double seconds) : state_(state), outer_(state.deadline_) {
+    if (seconds > 0 && !outer_) state.deadline_ = rtos_get_time_ns() + static_cast<std::int64_t>(seconds * 1e9);
+}
+
+State::Limit::~Limit() { state_.deadline_ = outer_; }
+
+// The main thread comes first: only in that coroutine.running() gives nil.
+lua_State* State::takeThread() {
+    if (!mainTaken_) {
+        mainTaken_ = true;
+        lua_settop(main_, 0);
+        return main_;
+    }
+    if (idle_.empty()) {
+        lua_State* const made = lua_newthread(main_);
+        // Kept for good, under a key that is its own.
+        lua_pushlightuserdata(main_, made);
+        lua_insert(main_, -2);
+        lua_rawset(main_, LUA_REGISTRYINDEX);
+        idle_.push_back(made);
+    }
+    lua_State* const taken = idle_.back();
+    idle_.pop_back();
+    return taken;
+}
+
+void State::giveBack(lua_State* lua) {
+    lua_settop(lua, 0);
+    if (lua == main_)
+        mainTaken_ = false;
+    else
+        idle_.push_back(lua);
+    if (depth_ == 1 && !mainTaken_) interrupted_.store(false, std::memory_order_relaxed);
+}
+
+void State::onCount(lua_State* lua, lua_Debug*) { of(lua).look(lua); }
+
+void State::look(lua_State* lua) {
+    const RTT::internal::Interruption* const asked = RTT::internal::Interruption::ofThisThread();
+    if (interrupted_.load(std::memory_order_relaxed) || (asked && asked->asked())) luaL_error(lua, "interrupted");
+    if (deadline_ && rtos_get_time_ns() > deadline_) luaL_error(lua, "this takes too long: the time limit has passed");
+}
+
+bool State::call(lua_State* lua, int arguments, int results, bool traced) {
+    int handler = 0;
+    if (traced) {
+        handler = lua_gettop(lua) - arguments;
+        lua_pushcfunction(lua, &addTraceback);
+        lua_insert(lua, handler);
+    }
+    const int status = lua_pcall(lua, arguments, results, handler);
+    if (handler) lua_remove(lua, handler);
+    return status == 0;
+}
+
+bool State::runFile(const std::string& file, std::string& error) {
+    const Entry entry(*this);
+    if (luaL_loadfile(entry.lua(), file.c_str()) == 0 && call(entry.lua(), 0, 0)) return true;
+    error = takeMessage(entry.lua());
+    return false;
+}
+
+bool State::runText(const std::string& text, const std::string& name, std::string& error) {
+    const Entry entry(*this);
+    if (luaL_loadbuffer(entry.lua(), text.data(), text.size(), name.c_str()) == 0 && call(entry.lua(), 0, 0))
+        return true;
+    error = takeMessage(entry.lua());
+    return false;
+}
+
+void State::keep(std::shared_ptr<EngineHook> hook) {
+    hooks_.erase(std::remove_if(hooks_.begin(), hooks_.end(),
+                                [](const auto& known) { return known.use_count() == 1 && !known->isLoaded(); }),
+                 hooks_.end());
+    hooks_.push_back(std::move(hook));
+}
+
+const Conversion& State::conversion(const RTT::types::TypeInfo* type) {
+    std::unique_ptr<Conversion>& known = conversions_[type];
+    if (!known) known.reset(new Conversion(type));
+    return *known;
+}
+
+RTT::ExecutionEngine* State::caller() const { return owner_.engine(); }
+
+std::size_t State::bytes() {
+    const Entry entry(*this);
+    return static_cast<std::size_t>(lua_gc(entry.lua(), LUA_GCCOUNT, 0)) * 1024 +
+           static_cast<std::size_t>(lua_gc(entry.lua(), LUA_GCCOUNTB, 0));
+}
+
+}  // namespace OCL::lua
