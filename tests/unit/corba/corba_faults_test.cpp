@@ -8,7 +8,10 @@
 
 #include "peer_fixture.hpp"
 
+#include <omniORB4/omniORB.h>
+
 #include <atomic>
+#include <cstdlib>
 #include <string>
 #include <thread>
 #include <vector>
@@ -47,6 +50,15 @@ protected:
         }));
     }
     Here here;
+};
+
+/** For all calls of this process. */
+class TimeLimit {
+public:
+    explicit TimeLimit(CORBA::ULong milliseconds) { omniORB::setClientCallTimeout(milliseconds); }
+    ~TimeLimit() { omniORB::setClientCallTimeout(0); }
+    TimeLimit(const TimeLimit&) = delete;
+    TimeLimit& operator=(const TimeLimit&) = delete;
 };
 
 }  // namespace
@@ -179,20 +191,42 @@ TEST_F(CorbaFaults, AHundredConnections) {
     EXPECT_EQ(here.in.getManager()->getConnections().size(), 1U);
 }
 
-TEST_F(CorbaFaults, ManyCallsAtOnce) {
-    const char* const slowly = std::getenv("TSAN_OPTIONS");
-    const int count = slowly ? 500 : 5000;
+TEST_F(CorbaFaults, CallsMayHaveATimeLimit) {
+    const TimeLimit limit(200);
+    OperationCaller<int(int, int)> add(peer->getOperation("add"));
+    child->send(SIGSTOP);
+    const Clock::time_point begin = Clock::now();
+    EXPECT_THROW(add(1, 2), std::runtime_error);
+    EXPECT_LT(secondsSince(begin), 10);
+    child->send(SIGCONT);
+    EXPECT_TRUE(soon([&] { return peer->ready() && add(1, 2) == 3; }));
+}
+
+// Each call of both processes has a time-out.
+TEST_F(CorbaFaults, ManyCallsInBothDirectionsAtOnce) {
+    constexpr int kThreads = 4;
+    const bool isSlow = std::getenv("TSAN_OPTIONS") || std::getenv("ASAN_OPTIONS");
+    const int count = (isSlow ? 4000 : 100000) / (2 * kThreads);
+    const TimeLimit limit(10000);
+    Here other;
+    other.addOperation("add", [](int a, int b) { return a + b; });
+    ASSERT_TRUE(peer->addPeer(&other));
     std::vector<std::thread> threads;
-    std::atomic<int> wrong{0};
-    for (int t = 0; t != 8; ++t)
+    std::atomic<int> right{0};
+    for (int t = 0; t != kThreads; ++t)
         threads.emplace_back([&] {
             OperationCaller<int(int, int)> add(peer->getOperation("add"));
             OperationCaller<std::string(const std::string&)> own(peer->getOperation("own"));
-            for (int i = 0; i != count; ++i)
-                if (i % 2 ? own("x") != "x own" : add(i, i) != 2 * i) ++wrong;
+            for (int i = 0; i != count; ++i) right += i % 2 ? own("x") == "x own" : add(i, i) == 2 * i;
         });
+    OperationCaller<int(const std::string&, int, int)> callBack(peer->getOperation("callBack"));
+    auto there = callBack.send(other.getName(), kThreads, count);
     for (std::thread& one : threads) one.join();
-    EXPECT_EQ(wrong, 0);
+    EXPECT_EQ(right, kThreads * count);
+    int theirs = 0;
+    ASSERT_TRUE(soon([&] { return there.collectIfDone(theirs) != SendNotReady; }));
+    EXPECT_EQ(theirs, kThreads * count);
+    corba::TaskContextServer::CleanupServer(&other);
 }
 
 // The other component calls back the one that waits for it, in its own thread.

@@ -50,6 +50,7 @@ protected:
         command.program = CORBA_PEER;
         command.directory = directory.path();
         command.environment["ORO_LOGFILE"] = "/dev/null";
+        command.environment["ORBclientCallTimeOutPeriod"] = "30000";  // ms, for each call of the other process
         child = std::make_unique<oroforge::test::ChildProcess>(command);
         ASSERT_TRUE(child->waitForOutput("reference IOR:", std::chrono::seconds(20)));
     }
