@@ -23,9 +23,13 @@ public:
         addPort("in", in).doc("Samples come back from here.");
         addEventPort("echo", echo, [this](base::PortInterface*) {
             double sample = 0;
-            while (echo.read(sample) == NewData) out.write(2 * sample);
+            while (echo.read(sample) == NewData) {
+                out.write(2 * sample);
+                tripled.write(3 * sample);
+            }
         });
         addPort("out", out);
+        addPort("tripled", tripled);
         addProperty("gain", gain).doc("A number.");
         addProperty("label", label);
         inner.ownProperty(new Property<double>("limit", "Within a bag.", 7));
@@ -85,7 +89,7 @@ private:
     }
 
     InputPort<double> in, echo;
-    OutputPort<double> out;
+    OutputPort<double> out, tripled;
     double gain = 1.5, level = 0.5;
     std::string label = "first";
     PropertyBag inner;

@@ -270,10 +270,13 @@ bool RemoteOutputPort::createConnection(base::InputPortInterface& sink, ConnPoli
     return ask("cannot be connected", false, [&](CDataFlowInterface_ptr interface) -> bool {
         std::optional<detail::ExpectedChannel> expected;
         if (!remote)
-            expected.emplace(sink, RemoteConnID(interface, getName(), getFullName()), lost_->remember(sink, policy));
+            expected.emplace(sink, RemoteConnID(interface, getName(), getFullName()), lost_->remember(sink, policy),
+                             detail::isOutOfBand(policy));
         CConnPolicy given = toCORBA(completed(policy));
+        const bool isNamed = expected && !expected->name().empty() && policy.buffer_policy != Shared;
+        if (isNamed) given.name_id = expected->name().c_str();
         const bool connected = interface->createConnection(getName().c_str(), theirs, sink.getName().c_str(), given);
-        policy.name_id = given.name_id.in();
+        if (!isNamed) policy.name_id = given.name_id.in();
         policy.data_size = given.data_size;
         return connected;
     });

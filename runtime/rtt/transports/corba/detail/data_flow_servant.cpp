@@ -146,7 +146,7 @@ CChannelElement_ptr DataFlowServant::buildChannelOutput(const char* input_port, 
     }
     channel->connectTo(last ? last : base::ChannelElementBase::shared_ptr(input.getEndpoint()));
     if (!last) last = channel;
-    const ExpectedChannel::Known expected = ExpectedChannel::of(input);
+    const ExpectedChannel::Known expected = ExpectedChannel::of(input, wanted.name_id, /*isStream=*/false);
     channel->whenEnded(expected.ended);
     channel->whenReady(
         [served = served_, service = service_, name = std::string(input_port), wanted, last, id = expected.id] {
