@@ -6,6 +6,7 @@
 #include <rtt/TaskContext.hpp>
 #include <rtt/internal/GlobalEngine.hpp>
 
+#include "../flow/log_capture.hpp"
 #include "peer_fixture.hpp"
 
 #include <omniORB4/omniORB.h>
@@ -189,6 +190,40 @@ TEST_F(CorbaFaults, AHundredConnections) {
     }
     EXPECT_EQ(here.out.getManager()->getConnections().size(), 1U);
     EXPECT_EQ(here.in.getManager()->getConnections().size(), 1U);
+}
+
+// The component knows no more than the reference of the service that it calls; the proxy is in the same process.
+TEST_F(CorbaFaults, AServiceReturnsToThoseThatRequireIt) {
+    struct Needy : TaskContext {
+        Needy() : TaskContext("needy") { requires_("deep")->addOperationCaller(thrice); }
+        OperationCaller<int(int)> thrice{"thrice"};
+    } needy;
+    const corba::CTaskContext_var own = corba::TaskContextServer::CreateServer(&needy, false);
+    const corba::CServiceRequester_var wish = own->getRequester("deep");
+    const corba::CService_var sub = peer->server()->getProvider("sub");
+    const corba::CService_var deep = sub->getService("deep");
+    ASSERT_TRUE(wish->connectTo(deep));
+    EXPECT_EQ(needy.thrice(4), 12);
+    {
+        flow_test::LogCapture log;
+        end(SIGKILL);
+        for (int i = 0; i != 100; ++i) EXPECT_THROW(needy.thrice(4), std::runtime_error);
+        std::this_thread::sleep_for(std::chrono::milliseconds(1500));  // more than a period of the watch
+        EXPECT_THROW(needy.thrice(4), std::runtime_error);
+        const std::string text = log.finish();
+        const std::string line = "component 'deep' of another process does not answer";
+        EXPECT_NE(text.find(line), std::string::npos) << text;
+        EXPECT_EQ(text.find(line), text.rfind(line)) << "once is enough: " << text;
+    }
+    begin();
+    EXPECT_TRUE(soon([&] {
+        try {
+            return needy.thrice(5) == 15;
+        } catch (const std::runtime_error&) {
+            return false;
+        }
+    }));
+    corba::TaskContextServer::CleanupServer(&needy);
 }
 
 TEST_F(CorbaFaults, CallsMayHaveATimeLimit) {
