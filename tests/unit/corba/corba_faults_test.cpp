@@ -118,7 +118,7 @@ TEST_F(CorbaFaults, AStoppedProcessDelaysNobody) {
     here.addPort(near);
     ASSERT_TRUE(here.out.connectTo(&near, ConnPolicy::circularBuffer(1000)));
     expectSamplesCross(1);
-    child->send(SIGSTOP);
+    suspend();
     const Clock::time_point begin = Clock::now();
     double got = 0;
     for (int i = 0; i != 1000; ++i) (void)here.out.write(i);
@@ -139,7 +139,7 @@ TEST_F(CorbaFaults, AStoppedProcessDelaysNobody) {
 TEST_F(CorbaFaults, SamplesOfAPauseArriveAfterIt) {
     connect(ConnPolicy::buffer(10));
     expectSamplesCross(1);
-    child->send(SIGSTOP);
+    suspend();
     EXPECT_EQ(here.out.write(5), WriteSuccess);
     std::this_thread::sleep_for(std::chrono::milliseconds(2500));  // longer than one sample may take
     EXPECT_EQ(here.out.write(6), WriteSuccess);
@@ -229,7 +229,7 @@ TEST_F(CorbaFaults, AServiceReturnsToThoseThatRequireIt) {
 TEST_F(CorbaFaults, CallsMayHaveATimeLimit) {
     const TimeLimit limit(200);
     OperationCaller<int(int, int)> add(peer->getOperation("add"));
-    child->send(SIGSTOP);
+    suspend();
     const Clock::time_point begin = Clock::now();
     EXPECT_THROW(add(1, 2), std::runtime_error);
     EXPECT_LT(secondsSince(begin), 10);
