@@ -44,12 +44,15 @@ protected:
         peer.reset(RTT::corba::TaskContextProxy::CreateFromFile((directory.path() / "peer.ior").string()));
         ASSERT_TRUE(peer);
     }
+    /** Changes how the other process is started. */
+    virtual void prepare(oroforge::test::Command&) {}
     /** Starts the other process. */
     void begin() {
         oroforge::test::Command command;
         command.program = CORBA_PEER;
         command.directory = directory.path();
         command.environment["ORO_LOGFILE"] = "/dev/null";
+        prepare(command);
         child = std::make_unique<oroforge::test::ChildProcess>(command);
         ASSERT_TRUE(child->waitForOutput("reference IOR:", std::chrono::seconds(20)));
     }

@@ -8,6 +8,7 @@
 #include <rtt/internal/calls/operation_signature.hpp>
 #include <rtt/transports/corba/detail/any_values.hpp>
 #include <rtt/transports/corba/detail/call_arguments.hpp>
+#include <rtt/transports/corba/detail/load_plugin.hpp>
 #include <rtt/transports/corba/detail/send_handle_servant.hpp>
 #include <rtt/types/TypeInfo.hpp>
 
@@ -58,7 +59,8 @@ OperationServant::OperationServant(Served served, Service::shared_ptr service)
     : served_(std::move(served)), service_(std::move(service)) {}
 
 OperationServant::Part OperationServant::find(const char* operation) const {
-    const OperationInterfacePart* const found = service_->getPart(operation);
+    const OperationInterfacePart* found = service_->getPart(operation);
+    if (!found) found = operationsOfEveryService().getPart(operation);
     if (!found || found->isSynchronous()) throw CNoSuchNameException(operation);
     return OperationInterfacePart::hold(found);
 }
@@ -67,13 +69,16 @@ corba::COperationInterface::COperationDescriptions* OperationServant::getOperati
     const ServedComponent::Use use(*served_);
     corba::COperationInterface::COperationDescriptions_var list =
         new corba::COperationInterface::COperationDescriptions();
-    for (const std::string& name : service_->getNames()) {
-        const OperationInterfacePart* const part = service_->getPart(name);
-        if (!part || part->isSynchronous()) continue;
+    const auto add = [&](const OperationInterfacePart* part) {
+        if (!part || part->isSynchronous()) return;
         const CORBA::ULong index = list->length();
         list->length(index + 1);
         describe(list[index], *part);
-    }
+    };
+    for (const std::string& name : service_->getNames()) add(service_->getPart(name));
+    const OperationInterface& ofAll = operationsOfEveryService();
+    for (const std::string& name : ofAll.getNames())
+        if (!service_->getPart(name)) add(ofAll.getPart(name));
     return list._retn();
 }
 
