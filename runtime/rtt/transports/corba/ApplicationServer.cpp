@@ -6,6 +6,7 @@
 #include <rtt/transports/corba/detail/end_point.hpp>
 #include <rtt/transports/corba/detail/later.hpp>
 #include <rtt/transports/corba/detail/orb_run.hpp>
+#include <rtt/transports/corba/detail/thread_settings.hpp>
 #include <rtt/transports/corba/detail/watch.hpp>
 
 #include <algorithm>
@@ -138,6 +139,7 @@ bool ApplicationServer::InitOrb(int argc, char* argv[], Seconds orb_timeout) {
         const CORBA::Object_var object = orb->resolve_initial_references("RootPOA");
         rootPOA = PortableServer::POA::_narrow(object);
         const PortableServer::POAManager_var manager = rootPOA->the_POAManager();
+        detail::setUpOrbThreads();  // before it makes those that serve
         detail::setOthersCanConnect(!areLocal(options));
         manager->activate();
         detail::beginRun();

@@ -40,7 +40,8 @@ const types::TypeInfo& typeOf(const PortInterface& port) {
 }
 
 RemoteChannel::Pointer newChannel(RemoteChannel::End end, const PortInterface& port, const ConnPolicy& policy) {
-    const RemoteChannel::Pointer made = RemoteChannel::make(end, typeOf(port), policy, port.getFullName());
+    const RemoteChannel::Pointer made =
+        RemoteChannel::make(end, typeOf(port), policy, port.getFullName(), port.getInterface());
     if (!made) throw CNoCorbaTransport();
     return made;
 }

@@ -20,6 +20,7 @@
 #include <utility>
 
 namespace RTT {
+class DataFlowInterface;
 namespace types {
 class TypeInfo;
 struct TypeOps;
@@ -47,8 +48,10 @@ public:
     /** What the other end asks for when both ends know each other; false refuses the connection. */
     typedef std::function<bool()> Ready;
 
-    /** Null, with an error logged, if values of the type do not cross CORBA. `described`: the port, for messages. */
-    static Pointer make(End end, const types::TypeInfo& type, const ConnPolicy& policy, std::string described);
+    /** Null, with an error logged, if values of the type do not cross CORBA. `described`: the port, for messages;
+        `interface`: where it is, or null, whose component says how the thread of a writer is scheduled. */
+    static Pointer make(End end, const types::TypeInfo& type, const ConnPolicy& policy, std::string described,
+                        const DataFlowInterface* interface);
     ~RemoteChannel() override;
 
     /** By which the other process calls this end. The caller owns the reference. */
@@ -81,7 +84,7 @@ private:
     class Sender;
     RemoteChannel(End end, const types::TypeInfo& type, const CorbaTypeTransporter& transporter, bool pull,
                   std::string described);
-    void activate();
+    void activate(const DataFlowInterface* interface);
     void deactivate();
     CRemoteChannelElement_var remote() const;
     void sendAll();
