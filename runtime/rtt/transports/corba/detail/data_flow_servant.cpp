@@ -55,9 +55,6 @@ void describe(CPortDescription& described, PortInterface& port) {
 
 }  // namespace
 
-DataFlowServant::DataFlowServant(Served served, Service::shared_ptr service)
-    : served_(std::move(served)), service_(std::move(service)) {}
-
 PortInterface& DataFlowServant::port(const std::string& name) const {
     PortInterface* const found = service_->getPort(name);
     if (!found) throw CNoSuchPortException();

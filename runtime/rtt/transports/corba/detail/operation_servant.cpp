@@ -55,9 +55,6 @@ ExecutionEngine* caller() { return internal::GlobalEngine::Instance(); }
 
 }  // namespace
 
-OperationServant::OperationServant(Served served, Service::shared_ptr service)
-    : served_(std::move(served)), service_(std::move(service)) {}
-
 OperationServant::Part OperationServant::find(const char* operation) const {
     const OperationInterfacePart* found = service_->getPart(operation);
     if (!found) found = operationsOfEveryService().getPart(operation);
