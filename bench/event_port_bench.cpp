@@ -4,10 +4,9 @@
 // do the same with nothing but the system calls.
 #include "futex_floor.hpp"
 #include "pairs.hpp"
+#include "rally_player.hpp"
 
 #include <rtt/Activity.hpp>
-#include <rtt/Port.hpp>
-#include <rtt/TaskContext.hpp>
 
 #include <atomic>
 #include <cstdint>
@@ -23,50 +22,17 @@ using namespace RTT;
 using bench::futexPingPong;
 using bench::futexSet;
 using bench::futexWait;
-using bench::kRoundTrips;
 using bench::Placement;
 
 namespace {
 
 // --- round trip ---
 
-/** Answers each sample; as the one that serves, only until the rally is over. */
-class Player : public TaskContext {
-public:
-    explicit Player(const std::string& name, unsigned cpu) : TaskContext(name) {
-        addEventPort("in", in, [this](base::PortInterface*) { answer(); });
-        addPort("out", out);
+struct Player : bench::RallyPlayer {
+    Player(const std::string& name, unsigned cpu) : RallyPlayer(name) {
         if (cpu != 0) getActivity()->setCpuAffinity(cpu);
         start();
     }
-    ~Player() override { stop(); }
-    double rally() {
-        over_ = 0;
-        left_ = kRoundTrips;
-        const double begin = bench::seconds(CLOCK_MONOTONIC);
-        out.write(1.0);
-        futexWait(over_, 0);
-        return (end_ - begin) / kRoundTrips;
-    }
-
-    InputPort<double> in;
-    OutputPort<double> out{"out", false};
-
-private:
-    void answer() {
-        double sample;
-        if (in.read(sample) != NewData) return;
-        if (left_ == 0 || --left_ > 0) {
-            out.write(sample);
-            return;
-        }
-        end_ = bench::seconds(CLOCK_MONOTONIC);
-        futexSet(over_, 1);
-    }
-
-    int left_ = 0;
-    double end_ = 0;
-    std::atomic<std::uint32_t> over_{0};
 };
 
 void roundTrip(benchmark::State& state, Placement where) {

@@ -2,19 +2,15 @@
 // Copyright Oroforge contributors
 // A double there and back between two processes through message queues: ports, against plain mq_send() and mq_receive().
 // In both, the thread that receives answers, with the same scheduling.
-#include "futex_floor.hpp"
 #include "pairs.hpp"
+#include "rally_player.hpp"
 
-#include <rtt/Port.hpp>
-#include <rtt/TaskContext.hpp>
 #include <rtt/extras/SequentialActivity.hpp>
 #include <rtt/plugin/PluginLoader.hpp>
 #include <rtt/transports/mqueue/MQLib.hpp>
 #include <rtt/types/Types.hpp>
 
-#include <atomic>
 #include <csignal>
-#include <cstdint>
 #include <ctime>
 #include <string>
 #include <thread>
@@ -35,29 +31,17 @@ std::string queue(const char* what) {
     return own + what;
 }
 
-/** Sends each sample back; as the one that serves, only until the rally is over. */
-class Player : public TaskContext {
+class Player : public bench::RallyPlayer {
 public:
-    explicit Player(const std::string& name) : TaskContext(name) {
+    explicit Player(const std::string& name) : RallyPlayer(name) {
         setActivity(new extras::SequentialActivity());
-        addEventPort("in", in, [this](base::PortInterface*) { answer(); });
-        addPort("out", out);
         start();
     }
-    ~Player() override { stop(); }
     bool send(const std::string& name) { return out.createStream(policyOf(name)); }
     bool receive(const std::string& name) {
         for (int i = 0; i != 20; ++i)
             if (in.createStream(policyOf(name))) return true;
         return false;
-    }
-    double rally() {
-        over_ = 0;
-        left_ = kRoundTrips;
-        const double begin = bench::seconds(CLOCK_MONOTONIC);
-        out.write(1.0);
-        bench::futexWait(over_, 0);
-        return (end_ - begin) / kRoundTrips;
     }
 
 private:
@@ -68,22 +52,6 @@ private:
         policy.name_id = name;
         return policy;
     }
-    void answer() {
-        double sample;
-        if (in.read(sample) != NewData) return;
-        if (left_ == 0 || --left_ > 0) {
-            out.write(sample);
-            return;
-        }
-        end_ = bench::seconds(CLOCK_MONOTONIC);
-        bench::futexSet(over_, 1);
-    }
-
-    InputPort<double> in;
-    OutputPort<double> out{"out", false};
-    int left_ = 0;
-    double end_ = 0;
-    std::atomic<std::uint32_t> over_{0};
 };
 
 struct PlainQueue {

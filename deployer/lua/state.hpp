@@ -106,11 +106,11 @@ public:
     /** Inside: raises an error of Lua if the code that runs was interrupted, or has passed its limit. */
     void look(lua_State* lua);
 
-    /** Inside: calls the function below its arguments on the stack. False if it fails; then the message, with a traceback
-        if `traced`, is the only value left of them. */
+    /** Inside: calls the function below its arguments on the stack. False if it fails; then the message, with a
+        traceback if `traced`, is the only value left of them. */
     bool call(lua_State* lua, int arguments, int results, bool traced = false);
-    /** Calls `function(lua)` in the calling thread, where errors of Lua are caught. False if it fails, with the message in
-        `error`. Outside of this, and of call(), an error of Lua ends the process; even the lack of memory is one. */
+    /** Calls `function(lua)` in the calling thread, where errors of Lua are caught. False if it fails, with the message
+        in `error`. Outside of this, and of call(), an error of Lua ends the process; even the lack of memory is one. */
     template <class Function>
     bool protect(std::string& error, Function&& function) {
         const Entry entry(*this);

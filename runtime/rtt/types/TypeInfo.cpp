@@ -88,6 +88,7 @@ bool TypeInfo::addProtocol(int protocol, TypeTransporter* transporter) {
         if (present && (isGeneric || !present->isGeneric())) return false;
         if (present) state_->replaced.push_back(std::move(present));
         present = std::move(owned);
+        state_->keepQuick(protocol, present.get());
         return true;
     });
     if (!added)
@@ -96,6 +97,9 @@ bool TypeInfo::addProtocol(int protocol, TypeTransporter* transporter) {
 }
 
 TypeTransporter* TypeInfo::State::transporter(int protocol) const {
+    if (isQuick(protocol))
+        if (TypeTransporter* const found = quick[static_cast<std::size_t>(protocol)].load(std::memory_order_acquire))
+            return found;
     const auto registered = [&]() -> TypeTransporter* {
         const auto it = transporters.find(protocol);
         return it == transporters.end() ? nullptr : it->second.get();

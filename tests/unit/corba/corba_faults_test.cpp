@@ -288,3 +288,41 @@ TEST_F(CorbaFaults, TwoComponentsCallEachOther) {
     EXPECT_EQ(run(200), 200);
     corba::TaskContextServer::CleanupServer(&caller);
 }
+
+// Only one of the threads uses what it gets, and destroys it; the others may have got the same.
+TEST_F(CorbaFaults, ProxiesAreFoundWhileOneThreadDestroysThem) {
+    const int count = std::getenv("TSAN_OPTIONS") ? 20 : 50;
+    const corba::CTaskContext_var reference = peer->server()->getPeer("friendly");
+    std::atomic<bool> ended{false};
+    std::atomic<int> missing{0};
+    std::vector<std::thread> finders;
+    for (int t = 0; t != 3; ++t)
+        finders.emplace_back([&, t] {
+            while (!ended)
+                if (t ? !corba::TaskContextProxy::Create(reference, true) : !peer->getPeer("friendly")) ++missing;
+        });
+    for (int i = 0; i != count; ++i) {
+        TaskContext* const friendly = peer->getPeer("friendly");
+        ASSERT_TRUE(friendly);
+        EXPECT_EQ(friendly->getName(), "friendly");
+        delete friendly;
+    }
+    ended = true;
+    for (std::thread& one : finders) one.join();
+    EXPECT_EQ(missing, 0);
+    delete peer->getPeer("friendly");  // what a finder made last
+}
+
+TEST_F(CorbaFaults, ThreadsThatAskAtOnceGetOneProxy) {
+    const corba::CTaskContext_var reference = peer->server()->getPeer("friendly");
+    for (int round = 0; round != 20; ++round) {
+        std::vector<TaskContext*> found(4);
+        std::vector<std::thread> threads;
+        for (TaskContext*& one : found)
+            threads.emplace_back([&] { one = corba::TaskContextProxy::Create(reference, true); });
+        for (std::thread& one : threads) one.join();
+        ASSERT_TRUE(found[0]);
+        for (TaskContext* const one : found) EXPECT_EQ(one, found[0]);
+        delete found[0];
+    }
+}

@@ -45,6 +45,8 @@ protected:
         peer.reset(RTT::corba::TaskContextProxy::CreateFromFile((directory.path() / "peer.ior").string()));
         ASSERT_TRUE(peer);
     }
+    /** Changes how the other process is started. */
+    virtual void prepare(oroforge::test::Command&) {}
     /** Starts the other process. */
     void begin() {
         oroforge::test::Command command;
@@ -52,6 +54,7 @@ protected:
         command.directory = directory.path();
         command.environment["ORO_LOGFILE"] = "/dev/null";
         command.environment["ORBclientCallTimeOutPeriod"] = "30000";  // ms, for each call of the other process
+        prepare(command);
         child = std::make_unique<oroforge::test::ChildProcess>(command);
         ASSERT_TRUE(child->waitForOutput("reference IOR:", std::chrono::seconds(20)));
     }

@@ -48,16 +48,32 @@ std::string OperationPart::description() const { return description_->texts.fron
 
 OperationSignature OperationPart::signature() const {
     const std::vector<std::string>& texts = description_->texts;
-    OperationSignature signature;
-    signature.result = valueOf(table_->types[0]);
+    OperationSignature signature = types();
     for (std::size_t i = 1; i <= table_->arity; ++i) {
-        Value value = valueOf(table_->types[i]);
+        Value& value = signature.arguments[i - 1];
         const bool documented = 2 * i < texts.size();
         value.name = documented ? texts[2 * i - 1] : "arg" + std::to_string(i);
         if (documented) value.description = texts[2 * i];
-        signature.arguments.push_back(std::move(value));
     }
     return signature;
+}
+
+OperationSignature OperationPart::types() const {
+    OperationSignature signature;
+    signature.result = valueOf(table_->types[0]);
+    signature.arguments.reserve(table_->arity);
+    for (std::size_t i = 1; i <= table_->arity; ++i) signature.arguments.push_back(valueOf(table_->types[i]));
+    return signature;
+}
+
+OperationPart::Args OperationPart::accepted(const Args& args) const {
+    const auto fits = [](const ValueType& wanted, const Source& found) {
+        const std::type_info* const id = found ? found->getTypeId() : nullptr;
+        return id && *id == *wanted.id && (!wanted.isOutput() || found->isAssignable());
+    };
+    bool exact = args.size() == table_->arity;
+    for (std::size_t i = 0; exact && i != args.size(); ++i) exact = fits(table_->types[i + 1], args[i]);
+    return exact ? args : checkedArguments(args);
 }
 
 void OperationPart::checkSendable() const {
@@ -66,15 +82,14 @@ void OperationPart::checkSendable() const {
 }
 
 OperationPart::Source OperationPart::produce(const Args& args, ExecutionEngine* caller) const {
-    return table_->makeSource(
-        GenericCall(Caller(caller_->cloneFor(caller)), *table_, checkedArguments(args), description_));
+    return table_->makeSource(GenericCall(Caller(caller_->cloneFor(caller)), *table_, accepted(args), description_));
 }
 
 OperationPart::Source OperationPart::produceSend(const Args& args, ExecutionEngine* caller) const {
     checkSendable();
     Caller sender(caller_->cloneFor(caller));
     sender->setGeneric();
-    return new detail::SendSource(GenericCall(std::move(sender), *table_, checkedArguments(args), description_));
+    return new detail::SendSource(GenericCall(std::move(sender), *table_, accepted(args), description_));
 }
 
 OperationPart::Source OperationPart::produceHandle() const {

@@ -46,6 +46,9 @@ public:
     OperationPart* reimplemented(const base::OperationBase& by) const;
 
 private:
+    OperationSignature types() const override;
+    /** checkedArguments() that are fast if there is nothing to convert. */
+    Args accepted(const Args& args) const;
     void checkSendable() const;
 
     struct Overload {

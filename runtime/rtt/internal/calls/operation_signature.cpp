@@ -98,20 +98,20 @@ std::vector<ArgumentDescription> SignedPart::getArgumentList() const {
     return list;
 }
 
-std::string SignedPart::resultType() const { return signature().result.text(); }
+std::string SignedPart::resultType() const { return types().result.text(); }
 
-unsigned SignedPart::arity() const { return static_cast<unsigned>(signature().arguments.size()); }
+unsigned SignedPart::arity() const { return static_cast<unsigned>(types().arguments.size()); }
 
 const types::TypeInfo* SignedPart::getArgumentType(unsigned index) const {
-    const OperationSignature own = signature();
+    const OperationSignature own = types();
     if (index == 0) return own.result.type;
     return index <= own.arguments.size() ? own.arguments[index - 1].type : nullptr;
 }
 
-unsigned SignedPart::collectArity() const { return static_cast<unsigned>(signature().collected().size()); }
+unsigned SignedPart::collectArity() const { return static_cast<unsigned>(types().collected().size()); }
 
 const types::TypeInfo* SignedPart::getCollectType(unsigned index) const {
-    const OperationSignature own = signature();
+    const OperationSignature own = types();
     const auto values = own.collected();
     return index >= 1 && index <= values.size() ? values[index - 1]->type : nullptr;
 }
@@ -121,7 +121,7 @@ void SignedPart::checkCount(std::size_t wanted, std::size_t received) {
 }
 
 SignedPart::Args SignedPart::checkedArguments(const Args& args) const {
-    const OperationSignature own = signature();
+    const OperationSignature own = types();
     checkCount(own.arguments.size(), args.size());
     Args checked;
     for (std::size_t i = 0; i != args.size(); ++i) checked.push_back(own.arguments[i].sourceFor(args[i], i + 1));
@@ -129,7 +129,7 @@ SignedPart::Args SignedPart::checkedArguments(const Args& args) const {
 }
 
 void SignedPart::checkCollected(const Args& args, bool isHandle) const {
-    const OperationSignature own = signature();
+    const OperationSignature own = types();
     const auto values = own.collected();
     if (args.size() != 1) checkCount(1 + values.size(), args.size());
     if (!isHandle) throw wrong_types_of_args_exception(1, "SendHandle", args[0] ? args[0]->getType() : "nothing");

@@ -61,6 +61,8 @@ public:
     const types::TypeInfo* getCollectType(unsigned index) const final;
 
 protected:
+    /** The signature, perhaps without names and descriptions of arguments. */
+    virtual OperationSignature types() const { return signature(); }
     // They throw one of the FactoryExceptions.
     static void checkCount(std::size_t wanted, std::size_t received);
     /** The arguments of a call, converted to the types of the signature. */

@@ -6,6 +6,7 @@
 #include <rtt/transports/corba/detail/end_point.hpp>
 #include <rtt/transports/corba/detail/later.hpp>
 #include <rtt/transports/corba/detail/orb_run.hpp>
+#include <rtt/transports/corba/detail/thread_settings.hpp>
 #include <rtt/transports/corba/detail/watch.hpp>
 
 #include <algorithm>
@@ -28,11 +29,16 @@ class OrbOptions {
 public:
     OrbOptions(int argc, char* argv[]) : arguments_(argv, argv + argc), file_(settingsIn(fileName())) {}
 
-    bool has(const std::string& option) const {
-        if (std::getenv(("ORB" + option).c_str())) return true;
-        for (const std::string& argument : arguments_)
-            if (argument == "-ORB" + option) return true;
-        return std::any_of(file_.begin(), file_.end(), [&](const auto& setting) { return setting.first == option; });
+    bool has(const std::string& option) const { return !given(option).empty(); }
+    /** All values that an option is given, whichever of them count. */
+    std::vector<std::string> given(const std::string& option) const {
+        std::vector<std::string> all;
+        if (const char* const fromEnvironment = std::getenv(("ORB" + option).c_str())) all.push_back(fromEnvironment);
+        for (std::size_t i = 0; i != arguments_.size(); ++i)
+            if (arguments_[i] == "-ORB" + option) all.push_back(i + 1 != arguments_.size() ? arguments_[i + 1] : "");
+        for (const auto& [name, value] : file_)
+            if (name == option) all.push_back(value);
+        return all;
     }
     /** The naming service's host, if it is known. */
     std::string nameServiceHost() const {
@@ -86,6 +92,15 @@ void chooseEndPoint(OrbOptions& options) {
     log(Info) << "the naming service is on " << host << ", so other computers can connect to " << address << endlog();
 }
 
+/** An end point that is given twice is none that may be trusted, so all of them count. */
+bool areLocal(const OrbOptions& options) {
+    std::vector<std::string> all = options.given("endPoint");
+    for (const std::string& one : options.given("endPointNoPublish")) all.push_back(one);
+    for (const auto& [name, value] : options.defaults())
+        if (name == "endPoint") all.push_back(value);
+    return std::all_of(all.begin(), all.end(), detail::isLocalEndPoint);
+}
+
 std::string milliseconds(Seconds time) { return std::to_string(static_cast<long>(time * 1000)); }
 
 CORBA::ORB_ptr makeOrb(int& argc, char* argv[], const OrbOptions& options) {
@@ -124,6 +139,8 @@ bool ApplicationServer::InitOrb(int argc, char* argv[], Seconds orb_timeout) {
         const CORBA::Object_var object = orb->resolve_initial_references("RootPOA");
         rootPOA = PortableServer::POA::_narrow(object);
         const PortableServer::POAManager_var manager = rootPOA->the_POAManager();
+        detail::setUpOrbThreads();  // before it makes those that serve
+        detail::setOthersCanConnect(!areLocal(options));
         manager->activate();
         detail::beginRun();
         static const int ended = std::atexit(&endThreads);

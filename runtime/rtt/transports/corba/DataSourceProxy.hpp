@@ -25,64 +25,72 @@ struct RTT_API NonExistingDataSource : public std::exception {
 RTT_API base::DataSourceBase::shared_ptr newProxyOfValue(CService_ptr service, const std::string& name, bool isProperty,
                                                          const types::TypeInfo& type);
 
+namespace detail {
+
+/** What both kinds have in common. Base: internal::DataSource or internal::AssignableDataSource. */
+template <class T, template <class> class Base>
+class ProxyOfValue : public Base<T> {
+public:
+    bool evaluate() const override { return remote_->evaluate(); }
+    T get() const override { return remote_->get(); }
+    T value() const override { return remote_->value(); }
+    typename internal::DataSource<T>::const_reference_t rvalue() const override { return remote_->rvalue(); }
+
+protected:
+    typedef typename Base<T>::shared_ptr Remote;
+    explicit ProxyOfValue(Remote remote) : remote_(remote) {}
+    ProxyOfValue(CService_ptr service, const std::string& name, bool isProperty)
+        : remote_(Base<T>::narrow(
+              newProxyOfValue(service, name, isProperty, *internal::DataSource<T>::GetTypeInfo()).get())) {
+        if (!remote_) throw NonExistingDataSource();
+    }
+    const Remote remote_;
+};
+
+}  // namespace detail
+
 /**
  * A property or an attribute of another process. Every reading fetches the value: it calls the other process and
  * blocks. If that does not answer, evaluate() is false, the value is the last one, and an error is logged. One thread
  * may use it at a time.
  */
 template <class T>
-class DataSourceProxy : public internal::DataSource<T> {
+class DataSourceProxy : public detail::ProxyOfValue<T, internal::DataSource> {
+    typedef detail::ProxyOfValue<T, internal::DataSource> Shared;
+
 public:
     typedef boost::intrusive_ptr<DataSourceProxy<T>> shared_ptr;
 
     /** Throws NonExistingDataSource. */
-    DataSourceProxy(CService_ptr service, std::string name, bool isProperty)
-        : remote_(internal::DataSource<T>::narrow(
-              newProxyOfValue(service, name, isProperty, *internal::DataSource<T>::GetTypeInfo()).get())) {
-        if (!remote_) throw NonExistingDataSource();
-    }
-    bool evaluate() const override { return remote_->evaluate(); }
-    T get() const override { return remote_->get(); }
-    T value() const override { return remote_->value(); }
-    typename internal::DataSource<T>::const_reference_t rvalue() const override { return remote_->rvalue(); }
-    DataSourceProxy<T>* clone() const override { return new DataSourceProxy<T>(remote_); }
+    DataSourceProxy(CService_ptr service, std::string name, bool isProperty) : Shared(service, name, isProperty) {}
+    DataSourceProxy<T>* clone() const override { return new DataSourceProxy<T>(this->remote_); }
     DataSourceProxy<T>* copy(internal::CopyMap&) const override { return const_cast<DataSourceProxy<T>*>(this); }
 
 private:
-    explicit DataSourceProxy(typename internal::DataSource<T>::shared_ptr remote) : remote_(remote) {}
-
-    const typename internal::DataSource<T>::shared_ptr remote_;
+    explicit DataSourceProxy(typename Shared::Remote remote) : Shared(remote) {}
 };
 
 /** The same, whose changes are stored in the other process. If that does not take one, an error is logged. */
 template <class T>
-class ValueDataSourceProxy : public internal::AssignableDataSource<T> {
+class ValueDataSourceProxy : public detail::ProxyOfValue<T, internal::AssignableDataSource> {
+    typedef detail::ProxyOfValue<T, internal::AssignableDataSource> Shared;
+
 public:
     typedef boost::intrusive_ptr<ValueDataSourceProxy<T>> shared_ptr;
 
     /** Throws NonExistingDataSource. */
-    ValueDataSourceProxy(CService_ptr service, std::string name, bool isProperty)
-        : remote_(internal::AssignableDataSource<T>::narrow(
-              newProxyOfValue(service, name, isProperty, *internal::DataSource<T>::GetTypeInfo()).get())) {
-        if (!remote_) throw NonExistingDataSource();
-    }
-    bool evaluate() const override { return remote_->evaluate(); }
-    T get() const override { return remote_->get(); }
-    T value() const override { return remote_->value(); }
-    typename internal::DataSource<T>::const_reference_t rvalue() const override { return remote_->rvalue(); }
-    void set(typename internal::AssignableDataSource<T>::param_t value) override { remote_->set(value); }
+    ValueDataSourceProxy(CService_ptr service, std::string name, bool isProperty) : Shared(service, name, isProperty) {}
+    void set(typename internal::AssignableDataSource<T>::param_t value) override { this->remote_->set(value); }
     /** Fetches the value; updated() stores it. */
-    typename internal::AssignableDataSource<T>::reference_t set() override { return remote_->set(); }
-    void updated() override { remote_->updated(); }
-    ValueDataSourceProxy<T>* clone() const override { return new ValueDataSourceProxy<T>(remote_); }
+    typename internal::AssignableDataSource<T>::reference_t set() override { return this->remote_->set(); }
+    void updated() override { this->remote_->updated(); }
+    ValueDataSourceProxy<T>* clone() const override { return new ValueDataSourceProxy<T>(this->remote_); }
     ValueDataSourceProxy<T>* copy(internal::CopyMap&) const override {
         return const_cast<ValueDataSourceProxy<T>*>(this);
     }
 
 private:
-    explicit ValueDataSourceProxy(typename internal::AssignableDataSource<T>::shared_ptr remote) : remote_(remote) {}
-
-    const typename internal::AssignableDataSource<T>::shared_ptr remote_;
+    explicit ValueDataSourceProxy(typename Shared::Remote remote) : Shared(remote) {}
 };
 
 }  // namespace corba

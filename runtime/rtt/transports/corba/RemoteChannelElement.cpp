@@ -57,7 +57,8 @@ ErasedRemoteChannelElement::Channel ErasedRemoteChannelElement::newChannel(bool 
     typedef detail::RemoteChannel::End End;
     const std::lock_guard<std::mutex> lock(mutex_);
     if (channel_ || left_) return nullptr;
-    channel_ = detail::RemoteChannel::make(isWriter ? End::Writer : End::Reader, *type_, policy_, described_);
+    // The component may be gone by now, so that only the properties of the process count for the thread.
+    channel_ = detail::RemoteChannel::make(isWriter ? End::Writer : End::Reader, *type_, policy_, described_, nullptr);
     if (channel_ && !CORBA::is_nil(remote_side)) channel_->setRemoteSide(remote_side);
     return channel_;
 }

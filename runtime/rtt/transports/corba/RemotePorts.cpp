@@ -262,7 +262,7 @@ bool RemoteInputPort::connectFrom(base::OutputPortInterface& output, ConnPolicy 
         if (CORBA::is_nil(remote)) return false;
         Attempt attempt(detail::limited<CRemoteChannelElement>(remote));
         const RemoteChannel::Pointer channel =
-            RemoteChannel::make(RemoteChannel::End::Writer, *type, wanted, output.getFullName());
+            RemoteChannel::make(RemoteChannel::End::Writer, *type, wanted, output.getFullName(), output.getInterface());
         attempt.channel = channel;
         if (!channel) return false;
         const ConnPolicy own = detail::ofOneConnection(wanted);

@@ -7,6 +7,7 @@
 #include <rtt/transports/corba/RemotePorts.hpp>
 #include <rtt/transports/corba/TaskContextServer.hpp>
 #include <rtt/transports/corba/detail/naming.hpp>
+#include <rtt/transports/corba/detail/proxy_registry.hpp>
 #include <rtt/transports/corba/detail/remote_peer.hpp>
 #include <rtt/transports/corba/detail/remote_requester.hpp>
 #include <rtt/transports/corba/detail/remote_service.hpp>
@@ -17,7 +18,6 @@
 #include <algorithm>
 #include <fstream>
 #include <mutex>
-#include <set>
 #include <utility>
 
 namespace RTT::corba {
@@ -25,24 +25,6 @@ namespace RTT::corba {
 IllegalServer::~IllegalServer() = default;
 
 namespace {
-
-/** All proxies, so that a component has one. */
-struct Proxies {
-    std::mutex mutex;
-    std::set<TaskContextProxy*> all;
-
-    TaskContextProxy* find(CTaskContext_ptr task) {
-        const std::lock_guard<std::mutex> lock(mutex);
-        for (TaskContextProxy* const one : all)
-            if (!CORBA::is_nil(one->server()) && one->server()->_is_equivalent(task)) return one;
-        return nullptr;
-    }
-};
-
-Proxies& proxies() {
-    static auto* const all = new Proxies();
-    return *all;
-}
 
 /** Throws IllegalServer. */
 CTaskContext_var resolve(const std::string& location, bool is_ior) {
@@ -90,18 +72,6 @@ std::string referenceIn(const std::string& file) {
     return reference;
 }
 
-/** For Create(), whose constructors are protected. */
-class Made final : public TaskContextProxy {
-public:
-    explicit Made(CTaskContext_ptr task) : TaskContextProxy(task) {}
-};
-
-TaskContextProxy* proxyOf(CTaskContext_ptr task) {
-    TaskContextProxy* const known = proxies().find(task);
-    if (known) (void)known->synchronize();
-    return known ? known : new Made(task);
-}
-
 }  // namespace
 
 TaskContextProxy::TaskContextProxy() : TaskContext("NotFound", TaskContext::Stopped) {}
@@ -110,15 +80,13 @@ TaskContextProxy::TaskContextProxy(std::string location, bool is_ior) : TaskCont
     initFromURIOrTaskname(std::move(location), is_ior);
 }
 
-TaskContextProxy::TaskContextProxy(CTaskContext_ptr task) : TaskContext("NotFound", TaskContext::Stopped) {
+TaskContextProxy::TaskContextProxy(CTaskContext_ptr task) : TaskContextProxy() {
     begin(task);
+    detail::ProxyRegistry::instance().add(*this);
 }
 
 TaskContextProxy::~TaskContextProxy() {
-    {
-        const std::lock_guard<std::mutex> lock(proxies().mutex);
-        proxies().all.erase(this);
-    }
+    withdraw();
     watch_.reset();
     for (const auto& port : ports_) {
         with(*port,
@@ -130,7 +98,10 @@ TaskContextProxy::~TaskContextProxy() {
 void TaskContextProxy::initFromURIOrTaskname(std::string location, bool is_ior) {
     if (!is_ior) location_ = location;
     begin(resolve(location, is_ior));
+    detail::ProxyRegistry::instance().add(*this);
 }
+
+void TaskContextProxy::withdraw() { detail::ProxyRegistry::instance().remove(*this); }
 
 void TaskContextProxy::begin(CTaskContext_ptr task) {
     setActivity(new extras::SequentialActivity());
@@ -148,28 +119,50 @@ void TaskContextProxy::begin(CTaskContext_ptr task) {
     if (!synchronize()) throw IllegalServer("it does not describe its interface");
     detail::addProxied(remote_);
     watch_ = std::make_unique<detail::Watch>([this] { check(); });
-    const std::lock_guard<std::mutex> lock(proxies().mutex);
-    proxies().all.insert(this);
 }
 
-TaskContextProxy* TaskContextProxy::Create(std::string name, bool is_ior) {
+/** For Create(). Others find it when it is complete. */
+class TaskContextProxy::Made final : public TaskContextProxy {
+public:
+    explicit Made(CTaskContext_ptr task) { begin(task); }
+};
+
+TaskContextProxy* TaskContextProxy::of(CTaskContext_ptr task, const std::string& file) {
+    auto& registry = detail::ProxyRegistry::instance();
+    // Another thread may destroy what it found at any moment, but not while it is held.
+    const auto use = [&](const detail::ProxyRegistry::Held& held) {
+        if (!file.empty()) held.get()->followFile(file);
+        return held.get();
+    };
+    {
+        const detail::ProxyRegistry::Held known = registry.find(task);
+        if (known.get()) {
+            (void)known.get()->synchronize();
+            return use(known);
+        }
+    }
+    auto made = std::make_unique<Made>(task);
+    const detail::ProxyRegistry::Held own = registry.addOrFind(*made, task);
+    if (own.get() == made.get()) (void)made.release();
+    return use(own);
+}
+
+TaskContextProxy* TaskContextProxy::ofLocation(const std::string& location, bool is_ior, const std::string& file) {
     const Logger::In in("TaskContextProxy");
     try {
-        return proxyOf(resolve(name, is_ior));
+        return of(resolve(location, is_ior), file);
     } catch (const IllegalServer& error) {
-        return refused(name, error);
+        return refused(location, error);
     }
 }
+
+TaskContextProxy* TaskContextProxy::Create(std::string name, bool is_ior) { return ofLocation(name, is_ior, ""); }
 
 TaskContextProxy* TaskContextProxy::CreateFromFile(std::string filename) {
     const std::string reference = referenceIn(filename);
-    if (reference.empty()) {
-        log(Error) << "no proxy: the file '" << filename << "' has no reference of a component" << endlog();
-        return nullptr;
-    }
-    TaskContextProxy* const made = Create(reference, true);
-    if (made) made->followFile(filename);
-    return made;
+    if (!reference.empty()) return ofLocation(reference, true, filename);
+    log(Error) << "no proxy: the file '" << filename << "' has no reference of a component" << endlog();
+    return nullptr;
 }
 
 TaskContext* TaskContextProxy::Create(CTaskContext_ptr task, bool force_remote) {
@@ -177,7 +170,7 @@ TaskContext* TaskContextProxy::Create(CTaskContext_ptr task, bool force_remote) 
     if (CORBA::is_nil(task)) return nullptr;
     if (TaskContext* const near = force_remote ? nullptr : detail::servedComponent(task)) return near;
     try {
-        return proxyOf(task);
+        return of(task, "");
     } catch (const IllegalServer& error) {
         return refused("of a reference", error);
     }

@@ -36,9 +36,16 @@ struct RTT_API IllegalServer : public std::exception {
  * the other process answers. As long as it does not, functions return false, and operations throw std::runtime_error,
  * at once; the first failure is logged. When a component of that name answers again, also one of a process that was
  * started anew, the proxy stands for it, and ports that were connected with its ports are connected again.
+ *
+ * Any thread may make and find proxies while others destroy some: Create(), CreateFromFile() and getPeer() give no
+ * proxy whose destructor has begun, and of two threads that ask for a component at once both get the same one. They say
+ * nothing of the time after they returned: whoever destroys a proxy has to know that no other thread still uses a
+ * pointer to it that it got before.
  */
 class RTT_API TaskContextProxy : public TaskContext, public ApplicationServer {
 public:
+    /** Blocks while another thread makes out that it needs this proxy, within Create() or getPeer(), for three seconds
+        at most. */
     ~TaskContextProxy() override;
 
     /** The component of that name in the naming service, or, with `is_ior`, that of a reference "IOR:…". Null, with an
@@ -94,8 +101,14 @@ protected:
     void initFromURIOrTaskname(std::string location, bool is_ior);
     /** The file has the reference of the component also after it was started again. */
     void followFile(const std::string& file);
+    /** From now on Create() and getPeer() do not give it any more; blocks as the destructor does, which does the same.
+        The destructor of a derived class that has members of its own calls it first. */
+    void withdraw();
 
 private:
+    class Made;
+    static TaskContextProxy* of(CTaskContext_ptr task, const std::string& file);
+    static TaskContextProxy* ofLocation(const std::string& location, bool is_ior, const std::string& file);
     void begin(CTaskContext_ptr task);
     void setServer(CTaskContext_ptr task);
     CTaskContext_var limited() const;

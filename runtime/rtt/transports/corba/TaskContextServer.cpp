@@ -12,6 +12,7 @@
 #include <rtt/transports/corba/detail/remote_peer.hpp>
 #include <rtt/transports/corba/detail/served_components.hpp>
 #include <rtt/transports/corba/detail/task_context_servant.hpp>
+#include <rtt/transports/corba/detail/thread_settings.hpp>
 #include <rtt/transports/corba/detail/watch.hpp>
 
 #include <fstream>
@@ -240,7 +241,9 @@ void TaskContextServer::ThreadOrb() { ThreadOrb(ORO_SCHED_RT); }
 void TaskContextServer::ThreadOrb(int scheduler, int priority, unsigned cpu_affinity) {
     const std::lock_guard<std::recursive_mutex> lock(servers().mutex);
     if (servers().runner) return;
-    servers().runner = std::make_unique<OrbRunner>(scheduler, priority, cpu_affinity);
+    const detail::ThreadSettings wanted =
+        detail::threadSettings("OrbRunner", nullptr, {scheduler, priority, cpu_affinity});
+    servers().runner = std::make_unique<OrbRunner>(wanted.scheduler, wanted.priority, wanted.cpuAffinity);
     (void)servers().runner->start();
 }
 

@@ -58,7 +58,10 @@ public:
     static void RunOrb(int endsOn = -1);
     /** Lets RunOrb() return, as the operation "shutdown" of each component with a server does. */
     static void EndRun();
-    /** Calls RunOrb() in a thread of its own. */
+    /** Calls RunOrb() in a thread of its own, "OrbRunner", with the real-time scheduler and the lowest priority, or
+        with those given. Properties OrbRunnerScheduler, OrbRunnerPriority and OrbRunnerCpuAffinity of
+        types::GlobalsRepository count for more. Those that exist when InitOrb() is called count for all threads by
+        which the ORB serves calls, too. */
     static void ThreadOrb();
     static void ThreadOrb(int scheduler, int priority = os::LowestPriority, unsigned cpu_affinity = 0);
     /** Takes the components out of the naming service and ends the ORB; with `wait`, blocks until calls in progress

@@ -6,6 +6,7 @@
 #include <rtt/types/TypeConstructor.hpp>
 #include <rtt/types/TypeInfo.hpp>
 #include <rtt/types/TypeTransporter.hpp>
+#include <array>
 #include <atomic>
 #include <map>
 #include <mutex>
@@ -37,6 +38,8 @@ struct TypeInfo::State {
     std::vector<std::shared_ptr<TypeConstructor>> constructors;
     std::map<int, std::unique_ptr<TypeTransporter>> transporters;
     std::vector<std::unique_ptr<TypeTransporter>> replaced;  // others may be using them
+    /** Those of the small numbers once more, for readers that take no lock. */
+    std::array<std::atomic<TypeTransporter*>, 4> quick{};
     ValueFactoryPtr values;
     MemberFactoryPtr members;
     CompositionFactoryPtr compositions;
@@ -48,8 +51,13 @@ struct TypeInfo::State {
         std::lock_guard<std::mutex> lock(mutex);
         return read();
     }
-    /** May load a plugin. */
+    /** May load a plugin. Takes no lock if the protocol is a small number and there is one. */
     TypeTransporter* transporter(int protocol) const;
+    /** Only while the mutex is held. */
+    void keepQuick(int protocol, TypeTransporter* transporter) {
+        if (isQuick(protocol)) quick[static_cast<std::size_t>(protocol)].store(transporter, std::memory_order_release);
+    }
+    bool isQuick(int protocol) const { return protocol >= 0 && static_cast<std::size_t>(protocol) < quick.size(); }
     std::vector<std::shared_ptr<TypeConstructor>> currentConstructors() const {
         return locked([this] { return constructors; });
     }

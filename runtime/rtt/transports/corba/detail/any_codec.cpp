@@ -11,6 +11,41 @@
 
 namespace RTT::corba::detail {
 
+namespace {
+
+struct Bytes {
+    const CORBA::Octet* data;
+    std::size_t size;
+};
+
+// The stream in an Any begins at a multiple of 8, as the bytes of a Plan do.
+void insert(CORBA::Any& any, CORBA::TypeCode_ptr type, Bytes bytes) {
+    any.PR_insert(
+        type,
+        [](cdrStream& stream, void* all) {
+            const auto* const written = static_cast<const Bytes*>(all);
+            stream.put_octet_array(written->data, static_cast<int>(written->size), omni::ALIGN_8);
+        },
+        &bytes);
+}
+
+/** Any bytes of the right number are a value of these. */
+bool isNumber(CORBA::TCKind kind) {
+    switch (kind) {
+        case CORBA::tk_short:
+        case CORBA::tk_ushort:
+        case CORBA::tk_long:
+        case CORBA::tk_ulong:
+        case CORBA::tk_longlong:
+        case CORBA::tk_ulonglong:
+        case CORBA::tk_float:
+        case CORBA::tk_double: return true;
+        default: return false;
+    }
+}
+
+}  // namespace
+
 std::shared_ptr<const AnyCodec> AnyCodec::make(const types::TypeInfo& type, CORBA::ORB_ptr orb, std::string& why) {
     auto plan = encoding::Plan::make(type, encoding::corbaRules(), why);
     if (!plan) return nullptr;
@@ -20,19 +55,18 @@ std::shared_ptr<const AnyCodec> AnyCodec::make(const types::TypeInfo& type, CORB
 }
 
 AnyCodec::AnyCodec(std::shared_ptr<const encoding::Plan> plan, CORBA::TypeCode_var typeCode)
-    : plan_(std::move(plan)), typeCode_(typeCode) {}
+    : plan_(std::move(plan)),
+      typeCode_(typeCode),
+      fixedSize_(plan_->fixedSize()),
+      isNumber_(detail::isNumber(typeCode_->kind())) {}
 
 bool AnyCodec::put(const void* value, CORBA::Any& any) const {
-    std::vector<CORBA::Octet> bytes(plan_->sizeOf(value));
-    if (bytes.empty() || plan_->encode(value, bytes.data(), bytes.size()) != bytes.size()) return false;
-    // The stream in an Any begins at a multiple of 8, as the bytes of a Plan do.
-    any.PR_insert(
-        typeCode_.in(),
-        [](cdrStream& stream, void* all) {
-            const auto& written = *static_cast<const std::vector<CORBA::Octet>*>(all);
-            stream.put_octet_array(written.data(), static_cast<int>(written.size()), omni::ALIGN_8);
-        },
-        &bytes);
+    const std::size_t size = fixedSize_ ? fixedSize_ : plan_->sizeOf(value);
+    CORBA::Octet few[128];
+    std::vector<CORBA::Octet> many(size > sizeof few ? size : 0);
+    CORBA::Octet* const bytes = many.empty() ? few : many.data();
+    if (size == 0 || plan_->encode(value, bytes, size) != size) return false;
+    insert(any, typeCode_.in(), {bytes, size});
     return true;
 }
 

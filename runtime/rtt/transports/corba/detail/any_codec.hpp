@@ -25,6 +25,8 @@ public:
 
     /** Borrowed. */
     CORBA::TypeCode_ptr typeCode() const { return typeCode_.in(); }
+    /** Every value is a number of at most eight bytes, so that get() changes nothing if it fails. */
+    bool isNumber() const { return isNumber_; }
     /** False, with the Any unchanged, if the value cannot be encoded. Allocates. */
     bool put(const void* value, CORBA::Any& any) const;
     /** False, with the reason in `why`, if the Any has another type, or bytes that are no value of it; the value is
@@ -36,6 +38,8 @@ private:
 
     const std::shared_ptr<const encoding::Plan> plan_;
     const CORBA::TypeCode_var typeCode_;
+    const std::size_t fixedSize_;  // of all values, or 0
+    const bool isNumber_;
 };
 
 }  // namespace detail

@@ -3,16 +3,20 @@
 #include <rtt/transports/corba/detail/any_values.hpp>
 
 #include <rtt/transports/corba/CorbaTypeTransporter.hpp>
+#include <rtt/transports/corba/detail/generic_transporter.hpp>
 #include <rtt/types/TypeInfo.hpp>
 
 #include <memory>
+#include <typeinfo>
 
 namespace RTT::corba::detail {
 
 const CorbaTypeTransporter* transporterOf(const types::TypeInfo& type) {
-    return type.hasProtocol(ORO_CORBA_PROTOCOL_ID)
-               ? dynamic_cast<const CorbaTypeTransporter*>(type.getProtocol(ORO_CORBA_PROTOCOL_ID))
-               : nullptr;
+    if (!type.hasProtocol(ORO_CORBA_PROTOCOL_ID)) return nullptr;
+    const types::TypeTransporter* const found = type.getProtocol(ORO_CORBA_PROTOCOL_ID);
+    // Most are of this one class, for which a cast without a search does.
+    if (found && typeid(*found) == typeid(GenericTransporter)) return static_cast<const GenericTransporter*>(found);
+    return dynamic_cast<const CorbaTypeTransporter*>(found);
 }
 
 CORBA::Any* newAny(const base::DataSourceBase::shared_ptr& source) {

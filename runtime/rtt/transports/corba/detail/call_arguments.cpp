@@ -5,20 +5,23 @@
 #include <rtt/transports/corba/detail/any_values.hpp>
 #include <rtt/types/TypeInfo.hpp>
 
+#include <utility>
+
 namespace RTT::corba::detail {
 
-OperationInterfacePart::Args argumentsOf(const OperationInterfacePart& part, const CAnyArguments& values) {
-    const unsigned arity = part.arity();
+OperationInterfacePart::Args argumentsOf(const internal::OperationSignature& signature, const CAnyArguments& values) {
+    const std::size_t arity = signature.arguments.size();
     if (values.length() != arity)
         throw CWrongNumbArgException(static_cast<CORBA::Long>(arity), static_cast<CORBA::Long>(values.length()));
     OperationInterfacePart::Args made;
-    for (unsigned i = 0; i != arity; ++i) {
-        const types::TypeInfo* const type = part.getArgumentType(i + 1);
-        const base::DataSourceBase::shared_ptr value = type ? valueOf(values[i], *type) : nullptr;
+    made.reserve(arity);
+    for (CORBA::ULong i = 0; i != arity; ++i) {
+        const types::TypeInfo* const type = signature.arguments[i].type;
+        base::DataSourceBase::shared_ptr value = type ? valueOf(values[i], *type) : nullptr;
         if (!value)
             throw CWrongTypeArgException(static_cast<CORBA::Long>(i + 1),
                                          type ? type->getTypeName().c_str() : "unknown_t", typeName(values[i]).c_str());
-        made.push_back(value);
+        made.push_back(std::move(value));
     }
     return made;
 }

@@ -59,9 +59,6 @@ bool isSet(const Source& target, const CORBA::Any& value) {
 
 }  // namespace
 
-ConfigurationServant::ConfigurationServant(Served served, Service::shared_ptr service)
-    : served_(std::move(served)), service_(std::move(service)) {}
-
 Source ConfigurationServant::attribute(const std::string& name) const {
     const base::AttributeBase* const found = service_->getValue(name);
     return found ? found->getDataSource() : nullptr;

@@ -3,16 +3,17 @@
 #ifndef ORO_CORBA_DETAIL_CONFIGURATION_SERVANT_HPP
 #define ORO_CORBA_DETAIL_CONFIGURATION_SERVANT_HPP
 
-#include <rtt/transports/corba/detail/served_component.hpp>
+#include <rtt/transports/corba/detail/service_part.hpp>
 
 namespace RTT {
 namespace corba {
 namespace detail {
 
 /** The properties and attributes of a service. */
-class ConfigurationServant : public virtual POA_RTT::corba::CConfigurationInterface {
+class ConfigurationServant : public virtual POA_RTT::corba::CConfigurationInterface, protected virtual ServicePart {
 public:
-    ConfigurationServant(Served served, Service::shared_ptr service);
+    /** ServiceServant makes the ServicePart. */
+    ConfigurationServant() : ServicePart(nullptr, nullptr) {}
 
     corba::CConfigurationInterface::CAttributeNames* getAttributeList() override;
     corba::CConfigurationInterface::CPropertyNames* getPropertyList() override;
@@ -38,9 +39,6 @@ private:
     Source attribute(const std::string& name) const;
     Source property(const std::string& name) const;
     CORBA::Any* valueOf(const Source& source, const char* kind, const char* name) const;
-
-    const Served served_;
-    const Service::shared_ptr service_;
 };
 
 }  // namespace detail

@@ -41,7 +41,8 @@ const types::TypeInfo& typeOf(const PortInterface& port) {
 }
 
 RemoteChannel::Pointer newChannel(RemoteChannel::End end, const PortInterface& port, const ConnPolicy& policy) {
-    const RemoteChannel::Pointer made = RemoteChannel::make(end, typeOf(port), policy, port.getFullName());
+    const RemoteChannel::Pointer made =
+        RemoteChannel::make(end, typeOf(port), policy, port.getFullName(), port.getInterface());
     if (!made) throw CNoCorbaTransport();
     return made;
 }
@@ -54,9 +55,6 @@ void describe(CPortDescription& described, PortInterface& port) {
 }
 
 }  // namespace
-
-DataFlowServant::DataFlowServant(Served served, Service::shared_ptr service)
-    : served_(std::move(served)), service_(std::move(service)) {}
 
 PortInterface& DataFlowServant::port(const std::string& name) const {
     PortInterface* const found = service_->getPort(name);

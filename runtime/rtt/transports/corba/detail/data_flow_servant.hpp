@@ -3,7 +3,7 @@
 #ifndef ORO_CORBA_DETAIL_DATA_FLOW_SERVANT_HPP
 #define ORO_CORBA_DETAIL_DATA_FLOW_SERVANT_HPP
 
-#include <rtt/transports/corba/detail/served_component.hpp>
+#include <rtt/transports/corba/detail/service_part.hpp>
 
 #include <string>
 
@@ -17,9 +17,10 @@ namespace corba {
 namespace detail {
 
 /** The ports of a service. */
-class DataFlowServant : public virtual POA_RTT::corba::CDataFlowInterface {
+class DataFlowServant : public virtual POA_RTT::corba::CDataFlowInterface, protected virtual ServicePart {
 public:
-    DataFlowServant(Served served, Service::shared_ptr service);
+    /** ServiceServant makes the ServicePart. */
+    DataFlowServant() : ServicePart(nullptr, nullptr) {}
 
     corba::CDataFlowInterface::CPortNames* getPorts() override;
     corba::CDataFlowInterface::CPortDescriptions* getPortDescriptions() override;
@@ -42,9 +43,6 @@ private:
     base::PortInterface& port(const std::string& name) const;
     base::InputPortInterface& inputPort(const std::string& name) const;
     base::OutputPortInterface& outputPort(const std::string& name) const;
-
-    const Served served_;
-    const Service::shared_ptr service_;
 };
 
 }  // namespace detail

@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include <rtt/transports/corba/detail/end_point.hpp>
 
+#include <atomic>
 #include <memory>
 
 #include <arpa/inet.h>
@@ -43,6 +44,28 @@ std::string addressTowards(const std::string& host) {
     return known && inet_ntop(AF_INET, &own.sin_addr, text, sizeof text) ? text : std::string();
 }
 
-bool isLoopback(const std::string& address) { return address.compare(0, 4, "127.") == 0; }
+bool isLoopback(const std::string& address) {
+    in_addr all{};  // "127.example.org" is no address
+    return address.compare(0, 4, "127.") == 0 && inet_pton(AF_INET, address.c_str(), &all) == 1;
+}
+
+bool isLocalEndPoint(const std::string& endPoint) {
+    if (endPoint.compare(0, 10, "giop:unix:") == 0) return true;
+    for (const std::string scheme : {"giop:tcp:", "giop:ssl:"}) {
+        if (endPoint.compare(0, scheme.size(), scheme) != 0) continue;
+        const std::string place = endPoint.substr(scheme.size());
+        if (place.compare(0, 5, "[::1]") == 0) return true;
+        const std::string host = place.substr(0, place.find(':'));
+        return host == "localhost" || isLoopback(host);
+    }
+    return false;
+}
+
+namespace {
+std::atomic<bool> others{true};
+}  // namespace
+
+bool othersCanConnect() { return others; }
+void setOthersCanConnect(bool can) { others = can; }
 
 }  // namespace RTT::corba::detail

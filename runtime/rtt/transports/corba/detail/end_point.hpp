@@ -17,6 +17,12 @@ std::string hostOfReference(const std::string& reference);
 std::string addressTowards(const std::string& host);
 /** The address belongs to this computer only. */
 bool isLoopback(const std::string& address);
+/** An end point such as "giop:tcp:127.0.0.1:" or "giop:unix:…" can only be reached from this computer. */
+bool isLocalEndPoint(const std::string& endPoint);
+
+/** Other computers can connect to this process. True before setOthersCanConnect(). Any thread may call both. */
+bool othersCanConnect();
+void setOthersCanConnect(bool can);
 
 }  // namespace detail
 }  // namespace corba

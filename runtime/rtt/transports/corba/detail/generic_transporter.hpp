@@ -6,6 +6,7 @@
 #include <rtt/transports/corba/CorbaTypeTransporter.hpp>
 #include <rtt/transports/corba/detail/any_codec.hpp>
 
+#include <atomic>
 #include <memory>
 #include <mutex>
 
@@ -31,6 +32,7 @@ private:
     const types::TypeInfo& type_;
     mutable std::once_flag made_;
     mutable std::shared_ptr<const AnyCodec> codec_;
+    mutable std::atomic<const AnyCodec*> known_{nullptr};  // once made
 };
 
 }  // namespace detail

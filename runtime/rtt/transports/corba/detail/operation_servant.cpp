@@ -8,9 +8,11 @@
 #include <rtt/internal/calls/operation_signature.hpp>
 #include <rtt/transports/corba/detail/any_values.hpp>
 #include <rtt/transports/corba/detail/call_arguments.hpp>
+#include <rtt/transports/corba/detail/load_plugin.hpp>
 #include <rtt/transports/corba/detail/send_handle_servant.hpp>
 #include <rtt/types/TypeInfo.hpp>
 
+#include <algorithm>
 #include <exception>
 #include <utility>
 
@@ -44,19 +46,18 @@ void describe(COperation& described, const OperationInterfacePart& part) {
 }
 
 /** Otherwise the caller gets back what it gave. */
-bool hasOutputs(const OperationInterfacePart& part) {
-    return part.collectArity() > (part.resultType() == "void" ? 0U : 1U);
+bool hasOutputs(const internal::OperationSignature& signature) {
+    return std::any_of(signature.arguments.begin(), signature.arguments.end(),
+                       [](const auto& argument) { return argument.isOutput(); });
 }
 
 ExecutionEngine* caller() { return internal::GlobalEngine::Instance(); }
 
 }  // namespace
 
-OperationServant::OperationServant(Served served, Service::shared_ptr service)
-    : served_(std::move(served)), service_(std::move(service)) {}
-
 OperationServant::Part OperationServant::find(const char* operation) const {
-    const OperationInterfacePart* const found = service_->getPart(operation);
+    const OperationInterfacePart* found = service_->getPart(operation);
+    if (!found) found = operationsOfEveryService().getPart(operation);
     if (!found || found->isSynchronous()) throw CNoSuchNameException(operation);
     return OperationInterfacePart::hold(found);
 }
@@ -65,13 +66,16 @@ corba::COperationInterface::COperationDescriptions* OperationServant::getOperati
     const ServedComponent::Use use(*served_);
     corba::COperationInterface::COperationDescriptions_var list =
         new corba::COperationInterface::COperationDescriptions();
-    for (const std::string& name : service_->getNames()) {
-        const OperationInterfacePart* const part = service_->getPart(name);
-        if (!part || part->isSynchronous()) continue;
+    const auto add = [&](const OperationInterfacePart* part) {
+        if (!part || part->isSynchronous()) return;
         const CORBA::ULong index = list->length();
         list->length(index + 1);
         describe(list[index], *part);
-    }
+    };
+    for (const std::string& name : service_->getNames()) add(service_->getPart(name));
+    const OperationInterface& ofAll = operationsOfEveryService();
+    for (const std::string& name : ofAll.getNames())
+        if (!service_->getPart(name)) add(ofAll.getPart(name));
     return list._retn();
 }
 
@@ -121,7 +125,7 @@ char* OperationServant::getDescription(const char* operation) {
 
 void OperationServant::checkOperation(const char* operation, const CAnyArguments& args) {
     const ServedComponent::Use use(*served_);
-    (void)argumentsOf(*find(operation), args);
+    (void)argumentsOf(find(operation)->signature(), args);
 }
 
 // The call waits in this thread of the ORB if the component executes it in its own.
@@ -129,10 +133,11 @@ CORBA::Any* OperationServant::callOperation(const char* operation, CAnyArguments
     const ServedComponent::Use use(*served_);
     const Part part = find(operation);
     try {
-        const OperationInterfacePart::Args arguments = argumentsOf(*part, args);
+        const internal::OperationSignature signature = part->signature();
+        const OperationInterfacePart::Args arguments = argumentsOf(signature, args);
         const base::DataSourceBase::shared_ptr call = part->produce(arguments, caller());
         if (!call || !call->evaluate()) throw CCallError("the operation was not executed");
-        if (hasOutputs(*part)) setValues(args, arguments);
+        if (hasOutputs(signature)) setValues(args, arguments);
         return newAny(call);
     } catch (const std::exception& error) {
         throw CCallError(error.what());
@@ -143,7 +148,7 @@ CSendHandle_ptr OperationServant::sendOperation(const char* operation, const CAn
     const ServedComponent::Use use(*served_);
     const Part part = find(operation);
     internal::OperationCallerC call(part.get(), operation, caller());
-    for (const base::DataSourceBase::shared_ptr& argument : argumentsOf(*part, args)) call.arg(argument);
+    for (const base::DataSourceBase::shared_ptr& argument : argumentsOf(part->signature(), args)) call.arg(argument);
     auto* const handle = new SendHandleServant(served_, part, call.send());
     const CSendHandle_var reference = served_->activate<CSendHandle>(handle);
     served_->keep(handle);
@@ -155,7 +160,8 @@ void OperationServant::sendOperationOneway(const char* operation, const CAnyArgu
         const ServedComponent::Use use(*served_);
         const Part part = find(operation);
         internal::OperationCallerC call(part.get(), operation, caller());
-        for (const base::DataSourceBase::shared_ptr& argument : argumentsOf(*part, args)) call.arg(argument);
+        for (const base::DataSourceBase::shared_ptr& argument : argumentsOf(part->signature(), args))
+            call.arg(argument);
         (void)call.send();
     } catch (const CORBA::Exception& error) {
         log(Error) << "another process sends operation '" << operation << "' of service '" << service_->getName()

@@ -4,7 +4,7 @@
 #define ORO_CORBA_DETAIL_OPERATION_SERVANT_HPP
 
 #include <rtt/OperationInterfacePart.hpp>
-#include <rtt/transports/corba/detail/served_component.hpp>
+#include <rtt/transports/corba/detail/service_part.hpp>
 
 #include <string>
 
@@ -13,9 +13,10 @@ namespace corba {
 namespace detail {
 
 /** The operations of a service, except for those that can only be called in their own process. */
-class OperationServant : public virtual POA_RTT::corba::COperationInterface {
+class OperationServant : public virtual POA_RTT::corba::COperationInterface, protected virtual ServicePart {
 public:
-    OperationServant(Served served, Service::shared_ptr service);
+    /** ServiceServant makes the ServicePart. */
+    OperationServant() : ServicePart(nullptr, nullptr) {}
 
     corba::COperationInterface::COperationDescriptions* getOperations() override;
     CArgumentDescriptions* getArguments(const char* operation) override;
@@ -34,9 +35,6 @@ private:
     typedef OperationInterfacePart::shared_constptr Part;
     /** Throws CNoSuchNameException. */
     Part find(const char* operation) const;
-
-    const Served served_;
-    const Service::shared_ptr service_;
 };
 
 }  // namespace detail

@@ -10,6 +10,7 @@
 #include <rtt/transports/corba/detail/later.hpp>
 #include <rtt/transports/corba/detail/policies.hpp>
 #include <rtt/transports/corba/detail/remote_peer.hpp>
+#include <rtt/transports/corba/detail/thread_settings.hpp>
 #include <rtt/types/TypeInfo.hpp>
 #include <rtt/types/TypeOps.hpp>
 
@@ -52,7 +53,8 @@ private:
 /** The thread of a writer's channel. */
 class RemoteChannel::Sender final : public Activity {
 public:
-    Sender(RemoteChannel& channel, const std::string& name) : Activity(nullptr, name), channel_(channel) {
+    Sender(RemoteChannel& channel, const ThreadSettings& settings, const std::string& name)
+        : Activity(settings.scheduler, settings.priority, 0.0, settings.cpuAffinity, nullptr, name), channel_(channel) {
         setStopTimeout(2 * kPatience / 1000.0);
         (void)start();
     }
@@ -66,15 +68,20 @@ private:
 };
 
 RemoteChannel::Pointer RemoteChannel::make(End end, const types::TypeInfo& type, const ConnPolicy& policy,
-                                           std::string described) {
+                                           std::string described, const DataFlowInterface* interface) {
     const CorbaTypeTransporter* const transporter = transporterOf(type);
     if (!transporter) {
         log(Error) << described << ": values of type " << type.getTypeName()
                    << " do not cross CORBA; import the package of the type" << endlog();
         return nullptr;
     }
+<<<<<<< HEAD
     const Pointer made(new RemoteChannel(end, type, *transporter, policy, std::move(described)));
     made->activate();
+=======
+    const Pointer made(new RemoteChannel(end, type, *transporter, policy.pull, std::move(described)));
+    made->activate(interface);
+>>>>>>> fin25b
     return made;
 }
 
@@ -85,14 +92,21 @@ RemoteChannel::RemoteChannel(End end, const types::TypeInfo& type, const CorbaTy
       transporter_(transporter),
       ops_(*type.getOps()),
       described_(std::move(described)),
+<<<<<<< HEAD
       sample_(type.buildValue()) {
     if (end == End::Writer && !isOutOfBand(policy))
         sender_ = std::make_unique<Sender>(*this, described_.substr(0, described_.find('.')) + "Corba");
 }
+=======
+      sample_(type.buildValue()) {}
+>>>>>>> fin25b
 
 RemoteChannel::~RemoteChannel() = default;
 
-void RemoteChannel::activate() {
+void RemoteChannel::activate(const DataFlowInterface* interface) {
+    if (end_ == End::Writer)
+        sender_ = std::make_unique<Sender>(*this, dispatcherSettings(interface),
+                                           described_.substr(0, described_.find('.')) + "Corba");
     watch_ = std::make_unique<Watch>([this] { watchOther(); });
     const PortableServer::ServantBase_var owned(servant_ = new Servant(*this));
     const PortableServer::ObjectId_var id = ApplicationServer::rootPOA->activate_object(servant_);

@@ -20,6 +20,7 @@
 #include <utility>
 
 namespace RTT {
+class DataFlowInterface;
 namespace types {
 class TypeInfo;
 struct TypeOps;
@@ -50,8 +51,10 @@ public:
     /** What the other end asks for when both ends know each other; false refuses the connection. */
     typedef std::function<bool()> Ready;
 
-    /** Null, with an error logged, if values of the type do not cross CORBA. `described`: the port, for messages. */
-    static Pointer make(End end, const types::TypeInfo& type, const ConnPolicy& policy, std::string described);
+    /** Null, with an error logged, if values of the type do not cross CORBA. `described`: the port, for messages;
+        `interface`: where it is, or null, whose component says how the thread of a writer is scheduled. */
+    static Pointer make(End end, const types::TypeInfo& type, const ConnPolicy& policy, std::string described,
+                        const DataFlowInterface* interface);
     ~RemoteChannel() override;
 
     /** By which the other process calls this end. The caller owns the reference. */
@@ -82,9 +85,15 @@ public:
 private:
     class Servant;
     class Sender;
+<<<<<<< HEAD
     RemoteChannel(End end, const types::TypeInfo& type, const CorbaTypeTransporter& transporter,
                   const ConnPolicy& policy, std::string described);
     void activate();
+=======
+    RemoteChannel(End end, const types::TypeInfo& type, const CorbaTypeTransporter& transporter, bool pull,
+                  std::string described);
+    void activate(const DataFlowInterface* interface);
+>>>>>>> fin25b
     void deactivate();
     CRemoteChannelElement_var remote() const;
     void sendAll();

@@ -7,11 +7,7 @@
 namespace RTT::corba::detail {
 
 ServiceServant::ServiceServant(Served served, Service::shared_ptr service)
-    : OperationServant(served, service),
-      ConfigurationServant(served, service),
-      DataFlowServant(served, service),
-      served_(std::move(served)),
-      service_(std::move(service)) {}
+    : ServicePart(std::move(served), std::move(service)) {}
 
 char* ServiceServant::getName() {
     const ServedComponent::Use use(*served_);

@@ -25,10 +25,6 @@ public:
     corba::CService::CProviderNames* getProviderNames() override;
     CService_ptr getService(const char* name) override;
     CORBA::Boolean hasService(const char* name) override;
-
-private:
-    const Served served_;
-    const Service::shared_ptr service_;
 };
 
 }  // namespace detail
