@@ -13,6 +13,7 @@
 #include <rtt/base/ActivityInterface.hpp>
 #include <rtt/base/TaskCore.hpp>
 #include <rtt/internal/engine/hook_in_progress.hpp>
+#include <rtt/internal/engine/script_place.hpp>
 #include <rtt/os/real_time_thread.hpp>
 #include <rtt/os/real_time_wanted.hpp>
 
@@ -39,6 +40,7 @@ const char* const kExecutedAnew = "OROFORGE_RT_CHECK_PRELOADED_BEFORE";
 decltype(&oroforge_rt_check_begin) beginWatch;
 decltype(&oroforge_rt_check_end) endWatch;
 decltype(&oroforge_rt_check_findings) findings;
+decltype(&oroforge_rt_check_scripts) describeScripts;
 
 bool isRealTime(const HookInProgress& hook) {
     RTT::base::ActivityInterface* const activity = hook.task ? hook.task->engine()->getActivity() : nullptr;
@@ -152,6 +154,13 @@ std::string times(unsigned long count, const char* one, const char* many) {
 /** Not a sink, which would drop the second of two places with the same message. */
 using Findings = std::vector<RealTimeFinding>;
 
+/** Of "file:line". */
+oroforge::diag::Location locationIn(const std::string& place) {
+    const std::size_t colon = place.rfind(':');
+    if (colon == std::string::npos) return {};
+    return {place.substr(0, colon), static_cast<unsigned>(std::strtoul(place.c_str() + colon + 1, nullptr, 10)), 0};
+}
+
 void add(void* to, const oroforge_rt_finding* finding) {
     RealTimeFinding made;
     const Fault fault = describe(finding->fault);
@@ -161,6 +170,7 @@ void add(void* to, const oroforge_rt_finding* finding) {
     made.code = fault.code;
     made.function = finding->function;
     made.count = finding->count;
+    made.script = locationIn(finding->script);
     for (unsigned i = 0; i != finding->depth; ++i) made.frames.push_back({{}, finding->frames[i], {}});
     static_cast<Findings*>(to)->push_back(std::move(made));
 }
@@ -216,10 +226,12 @@ std::string startRealTimeCheck(char** words) {
     find(beginWatch, "oroforge_rt_check_begin");
     find(endWatch, "oroforge_rt_check_end");
     find(findings, "oroforge_rt_check_findings");
-    if (!beginWatch || !endWatch || !findings)
+    find(describeScripts, "oroforge_rt_check_scripts");
+    if (!beginWatch || !endWatch || !findings || !describeScripts)
         return "--rt-check: the system did not load '" + libraryFile() +
                "' before the program, as it refuses for programs with capabilities or another user's rights; run "
                "without these, as root, or with a limit for real-time priorities instead";
+    describeScripts(&RTT::internal::ScriptPlace::describe);
     HookInProgress::setWatch(&kWatch);
     return {};
 }
@@ -227,6 +239,7 @@ std::string startRealTimeCheck(char** words) {
 bool reportRealTimeCheck(ProgramReport& report) {
     const std::string& program = report.program();
     HookInProgress::setWatch(nullptr);
+    describeScripts(nullptr);
     Findings calls;
     const oroforge_rt_totals totals = findings(&add, &calls);
     addPlaces(calls);

@@ -96,7 +96,7 @@ std::vector<diag::Diagnostic> arranged(const std::vector<RealTimeFinding>& findi
     std::vector<Group> groups;
     std::map<std::tuple<std::string, std::string, std::string, unsigned>, std::size_t> byLine;
     for (const RealTimeFinding& finding : findings) {
-        const diag::Location where = lineOfUser(finding.frames);
+        const diag::Location where = finding.script.line != 0 ? finding.script : lineOfUser(finding.frames);
         std::size_t at = groups.size();
         if (where.line != 0)
             at = byLine.emplace(std::make_tuple(finding.component, finding.where, where.file.str(), where.line), at)

@@ -19,6 +19,7 @@ struct RealTimeFinding {
     std::string function;
     unsigned long count = 0;
     std::vector<oroforge::diag::Note> frames;  // innermost first, "'function()' (file+0x1234)"
+    oroforge::diag::Location script;           // the line of the script that called; without file if there is none
 };
 
 /**

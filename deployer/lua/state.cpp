@@ -11,9 +11,11 @@
 #include <rtt/ExecutionEngine.hpp>
 #include <rtt/TaskContext.hpp>
 #include <rtt/internal/engine/interruption.hpp>
+#include <rtt/internal/engine/script_place.hpp>
 #include <rtt/os/fosi.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <exception>
 
 namespace OCL::lua {
@@ -209,6 +211,18 @@ void State::look(lua_State* lua) {
     luaL_error(lua, interrupted ? "interrupted" : "this takes too long: the time limit has passed");
 }
 
+/** "file:line" of the innermost Lua code. Allocates nothing. */
+void describePlace(void* interpreter, char* text, std::size_t size) {
+    auto* const lua = static_cast<lua_State*>(interpreter);
+    lua_Debug where;
+    for (int level = 0; lua_getstack(lua, level, &where) == 1; ++level) {
+        if (lua_getinfo(lua, "Sl", &where) == 0 || where.currentline <= 0) continue;
+        const char* const file = where.source[0] == '@' ? where.source + 1 : where.short_src;
+        std::snprintf(text, size, "%s:%d", file, where.currentline);
+        return;
+    }
+}
+
 bool State::call(lua_State* lua, int arguments, int results, bool traced) {
     int handler = 0;
     if (traced) {
@@ -220,6 +234,7 @@ bool State::call(lua_State* lua, int arguments, int results, bool traced) {
     {
         using RTT::internal::Interruption;
         const Interruption::Region script(Interruption::ofThisThread(), Interruption::Region::Script);
+        const RTT::internal::ScriptPlace place(&describePlace, lua);
         status = lua_pcall(lua, arguments, results, handler);
     }
     if (handler) lua_remove(lua, handler);
@@ -229,6 +244,7 @@ bool State::call(lua_State* lua, int arguments, int results, bool traced) {
 bool State::protectCall(lua_State* lua, lua_CFunction function, void* data, std::string& error) {
     using RTT::internal::Interruption;
     const Interruption::Region script(Interruption::ofThisThread(), Interruption::Region::Script);
+    const RTT::internal::ScriptPlace place(&describePlace, lua);
     const int status = lua_cpcall(lua, function, data);
     if (status == 0) return true;
     error = takeMessage(lua);

@@ -7,6 +7,7 @@
 #include "memory.hpp"
 
 #include <rtt/internal/engine/engine_gate.hpp>
+#include <rtt/internal/engine/script_place.hpp>
 #include <rtt/os/Mutex.hpp>
 
 #include <atomic>
@@ -82,6 +83,7 @@ public:
         const unsigned depth_;
         const std::int64_t since_;
         const std::int64_t deadline_;
+        const RTT::internal::ScriptPlace noPlace_{nullptr, nullptr};
     };
 
     /** Lua code that runs longer than this many seconds without a call of C++ fails; 0 for no limit. For the outermost

@@ -22,6 +22,7 @@ std::size_t hashOf(const Call& call, unsigned generation) noexcept {
     const auto add = [&hash](std::uint64_t value) { hash = (hash ^ value) * 1099511628211u; };
     for (const char* c = call.component; *c; ++c) add(static_cast<unsigned char>(*c));
     for (const char* c = call.function; *c; ++c) add(static_cast<unsigned char>(*c));
+    for (const char* c = call.script; *c; ++c) add(static_cast<unsigned char>(*c));
     add(generation);
     for (unsigned i = 0; i != call.depth; ++i) add(reinterpret_cast<std::uintptr_t>(call.frames[i]));
     return static_cast<std::size_t>(hash ^ hash >> 32);
@@ -33,6 +34,7 @@ bool Finding::isOf(const Call& call, std::size_t itsHash, unsigned itsGeneration
     return hash == itsHash && generation == itsGeneration && place == call.place && fault == call.fault &&
            depth == call.depth && std::strcmp(function, call.function) == 0 &&
            std::strncmp(component, call.component, kLongestName - 1) == 0 &&
+           std::strncmp(script, call.script, kLongestScript - 1) == 0 &&
            std::equal(frames, frames + depth, call.frames);
 }
 
@@ -41,6 +43,7 @@ void Finding::fill(const Call& call, std::size_t itsHash, unsigned itsGeneration
     number = made.fetch_add(1, std::memory_order_relaxed);
     generation = itsGeneration;
     std::strncpy(component, call.component, kLongestName - 1);
+    std::strncpy(script, call.script, kLongestScript - 1);
     place = call.place;
     fault = call.fault;
     function = call.function;

@@ -18,6 +18,7 @@ struct Call {
     const char* function;
     void* const* frames;  // the innermost first
     unsigned depth;
+    const char* script;  // "file:line", or empty
 };
 
 /**
@@ -26,6 +27,7 @@ struct Call {
  */
 struct Finding {
     static constexpr std::size_t kLongestName = 96;
+    static constexpr std::size_t kLongestScript = 160;
     static constexpr unsigned kMaxFrames = 30;
 
     bool isOf(const Call& call, std::size_t hash, unsigned generation) const noexcept;
@@ -41,6 +43,7 @@ struct Finding {
     unsigned number = 0;      // in order of creation
     unsigned generation = 0;  // generation of the addresses in frames
     char component[kLongestName] = {};
+    char script[kLongestScript] = {};
     oroforge_rt_place place = OROFORGE_RT_UPDATE;
     oroforge_rt_fault fault = OROFORGE_RT_ALLOCATION;
     const char* function = nullptr;

@@ -7,6 +7,8 @@
  * The interface between a program and the library that replaces functions of libc when it is preloaded (deployer
  * --rt-check). The program does not link the library; it looks these functions up by the dynamic linker.
  */
+#include <stddef.h>
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -40,7 +42,12 @@ struct oroforge_rt_finding {
     unsigned long count;
     unsigned depth;
     const char* const* frames; /* the frames of the first call, the innermost first */
+    const char* script;        /* "file:line" of the script that called; empty if there is none */
 };
+
+/* Writes "file:line" of the script that this thread executes, or an empty text. Neither allocates nor waits. */
+typedef void (*oroforge_rt_script)(char* text, size_t size);
+void oroforge_rt_check_scripts(oroforge_rt_script describe);
 
 /* Called when the thread begins and ends such code. They nest; within watched code everything is watched. */
 void oroforge_rt_check_begin(const char* component, enum oroforge_rt_place place, int real_time);

@@ -45,6 +45,7 @@ __thread Hooks hooks __attribute__((tls_model("initial-exec")));
 
 std::atomic<unsigned long> executions[OROFORGE_RT_PLACES];
 std::atomic<unsigned long> callsLost{0};
+std::atomic<oroforge_rt_script> scripts{nullptr};
 
 // The first call of backtrace() loads a library.
 [[gnu::constructor]] void prepareBacktrace() {
@@ -70,7 +71,9 @@ void note(oroforge_rt_fault fault, const char* function, const void* caller) {
     void* frames[kMaxFrames];
     const int depth = backtrace(frames, kMaxFrames);
     const auto own = ownFrames(frames, depth, caller, hook);
-    if (!count({hook.component, hook.place, fault, function, own.first, own.second}))
+    char script[Finding::kLongestScript] = {};
+    if (const oroforge_rt_script describe = scripts.load(std::memory_order_acquire)) describe(script, sizeof script);
+    if (!count({hook.component, hook.place, fault, function, own.first, own.second, script}))
         callsLost.fetch_add(1, std::memory_order_relaxed);
 }
 
@@ -105,7 +108,7 @@ struct Row {
     bool isSame(const Row& other) const {
         const Finding &a = *finding, &b = *other.finding;
         return a.place == b.place && a.fault == b.fault && std::strcmp(a.component, b.component) == 0 &&
-               std::strcmp(a.function, b.function) == 0 && place == other.place;
+               std::strcmp(a.function, b.function) == 0 && std::strcmp(a.script, b.script) == 0 && place == other.place;
     }
     void add(const Row& other) {
         count += other.count;
@@ -211,13 +214,17 @@ OROFORGE_IN_FRONT void oroforge_rt_check_end() {
     if (hooks.nested[ended].watched) --oroforge_rt_watched;
 }
 
+OROFORGE_IN_FRONT void oroforge_rt_check_scripts(oroforge_rt_script describe) {
+    scripts.store(describe, std::memory_order_release);
+}
+
 OROFORGE_IN_FRONT oroforge_rt_totals oroforge_rt_check_findings(oroforge_rt_visitor visit, void* to) {
     const Unwatched unwatched;
     oroforge_rt_resolve();
     for (const Row& row : sortedRows()) {
         const Finding& finding = *row.finding;
         const oroforge_rt_finding found = {finding.component, finding.place, finding.fault, plainName(finding.function),
-                                           row.count,         finding.depth, finding.texts};
+                                           row.count,         finding.depth, finding.texts, finding.script};
         visit(to, &found);
     }
     oroforge_rt_totals totals{};

@@ -31,3 +31,7 @@ oroforge_add_test(lua_deployer_test
   DEFINITIONS DEPLOYER_PROGRAM="$<TARGET_FILE:deployer>" RTTSCRIPT_PROGRAM="$<TARGET_FILE:rttscript>"
     DEPLOYER_TEST_PATH="${PROJECT_BINARY_DIR}/lib/orocos"
   DEPENDS deployer rttscript ${lua_library} orocos-ocl-helloworld rtt-typekit rtt-marshalling rtt-scripting)
+# Sanitizers stand in front of malloc() themselves: their builds have no --rt-check.
+if(NOT OROFORGE_SANITIZE)
+  target_compile_definitions(lua_deployer_test PRIVATE WITH_RT_CHECK)
+endif()

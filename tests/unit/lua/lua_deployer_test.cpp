@@ -95,6 +95,27 @@ TEST_F(LuaDeployer, CheckCompilesAndExecutesNothing) {
     EXPECT_THAT(bad.out + bad.err, HasSubstr("bad.lua:2:"));
 }
 
+#ifdef WITH_RT_CHECK
+TEST_F(LuaDeployer, RealTimeChecksNameTheLuaLine) {
+    write("loop.lua",
+          "function updateHook()\n"
+          "  n = (n or 0) + 1\n"
+          "  local t = {n}\n"
+          "  if n == 50 then print('all is done') io.stdout:flush() end\n"
+          "end\n");
+    write("app.lua",
+          "local d = rtt.getTC()\n"
+          "d:import('ocl')\n"
+          "d:loadComponent('c', 'OCL::LuaComponent')\n"
+          "local c = d:getPeer('c')\n"
+          "d:getOperation('setActivity')('c', 0.001, 10, rtt.globals_get('ORO_SCHED_RT'))\n"
+          "assert(c:getOperation('exec_file')('loop.lua'))\n"
+          "c:configure() c:start()\n");
+    const Outcome by = runUntil("all is done", {"--rt-check", "-s", "app.lua"}, SIGTERM);
+    EXPECT_THAT(by.err, HasSubstr("loop.lua:3: error: [RTC001] component 'c' allocates memory in updateHook()"));
+}
+#endif
+
 TEST_F(LuaDeployer, ASignalEndsAnEndlessScript) {
     write("loop.lua", "print('looping') io.stdout:flush() while true do pcall(function() while true do end end) end");
     const Outcome by = runUntil("looping", {"-s", "loop.lua"}, SIGTERM);

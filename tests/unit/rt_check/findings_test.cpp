@@ -24,7 +24,7 @@ protected:
                           oroforge_rt_fault fault = OROFORGE_RT_ALLOCATION,
                           oroforge_rt_place during = OROFORGE_RT_UPDATE) {
         void* const frames[] = {&code[place], &code[1]};
-        return count({component, during, fault, function, frames, 2});
+        return count({component, during, fault, function, frames, 2, ""});
     }
     /** How many findings there are, and how many calls they stand for. */
     static std::pair<std::size_t, unsigned long> sum() {
@@ -54,7 +54,7 @@ TEST_F(Findings, LongNamesAndDeepStacksAreCut) {
     std::vector<void*> frames(1000, code);
     for (int i = 0; i != 2; ++i)
         EXPECT_TRUE(
-            count({name.c_str(), OROFORGE_RT_UPDATE, OROFORGE_RT_LOCK, "pthread_mutex_lock", frames.data(), 1000}));
+            count({name.c_str(), OROFORGE_RT_UPDATE, OROFORGE_RT_LOCK, "pthread_mutex_lock", frames.data(), 1000, ""}));
     EXPECT_EQ(std::make_pair(std::size_t(1), 2ul), sum());
     forEachFinding([](const Finding& finding) {
         EXPECT_EQ(std::string(Finding::kLongestName - 1, 'n'), finding.component);

@@ -196,8 +196,8 @@ private:
 bool joinOutOfBand(base::OutputPortInterface& output, const RemoteConnID& input, const ConnPolicy& policy,
                    const detail::LostConnections::Ended& ended) {
     const bool isForOthersToo = !policy.name_id.empty();
-    const RemoteChannel::Pointer channel =
-        RemoteChannel::make(RemoteChannel::End::Writer, *output.getTypeInfo(), policy, output.getFullName());
+    const RemoteChannel::Pointer channel = RemoteChannel::make(RemoteChannel::End::Writer, *output.getTypeInfo(),
+                                                               policy, output.getFullName(), output.getInterface());
     if (!channel) return false;
     const base::ChannelElementBase::shared_ptr stream =
         internal::ConnFactory::createStream(output, policy, std::unique_ptr<internal::ConnID>(input.clone()), channel);

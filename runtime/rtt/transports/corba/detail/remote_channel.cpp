@@ -75,13 +75,8 @@ RemoteChannel::Pointer RemoteChannel::make(End end, const types::TypeInfo& type,
                    << " do not cross CORBA; import the package of the type" << endlog();
         return nullptr;
     }
-<<<<<<< HEAD
     const Pointer made(new RemoteChannel(end, type, *transporter, policy, std::move(described)));
-    made->activate();
-=======
-    const Pointer made(new RemoteChannel(end, type, *transporter, policy.pull, std::move(described)));
     made->activate(interface);
->>>>>>> fin25b
     return made;
 }
 
@@ -89,22 +84,16 @@ RemoteChannel::RemoteChannel(End end, const types::TypeInfo& type, const CorbaTy
                              const ConnPolicy& policy, std::string described)
     : end_(end),
       pull_(policy.pull),
+      outOfBand_(isOutOfBand(policy)),
       transporter_(transporter),
       ops_(*type.getOps()),
       described_(std::move(described)),
-<<<<<<< HEAD
-      sample_(type.buildValue()) {
-    if (end == End::Writer && !isOutOfBand(policy))
-        sender_ = std::make_unique<Sender>(*this, described_.substr(0, described_.find('.')) + "Corba");
-}
-=======
       sample_(type.buildValue()) {}
->>>>>>> fin25b
 
 RemoteChannel::~RemoteChannel() = default;
 
 void RemoteChannel::activate(const DataFlowInterface* interface) {
-    if (end_ == End::Writer)
+    if (end_ == End::Writer && !outOfBand_)
         sender_ = std::make_unique<Sender>(*this, dispatcherSettings(interface),
                                            described_.substr(0, described_.find('.')) + "Corba");
     watch_ = std::make_unique<Watch>([this] { watchOther(); });

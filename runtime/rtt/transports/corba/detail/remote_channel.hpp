@@ -85,15 +85,9 @@ public:
 private:
     class Servant;
     class Sender;
-<<<<<<< HEAD
     RemoteChannel(End end, const types::TypeInfo& type, const CorbaTypeTransporter& transporter,
                   const ConnPolicy& policy, std::string described);
-    void activate();
-=======
-    RemoteChannel(End end, const types::TypeInfo& type, const CorbaTypeTransporter& transporter, bool pull,
-                  std::string described);
     void activate(const DataFlowInterface* interface);
->>>>>>> fin25b
     void deactivate();
     CRemoteChannelElement_var remote() const;
     void sendAll();
@@ -105,6 +99,7 @@ private:
 
     const End end_;
     const bool pull_;
+    const bool outOfBand_;  // samples take another way
     const CorbaTypeTransporter& transporter_;
     const types::TypeOps& ops_;
     const std::string described_;
