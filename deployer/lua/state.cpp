@@ -179,12 +179,32 @@ void State::giveBack(lua_State* lua) {
     if (depth_ == 1 && !mainTaken_) interrupted_.store(false, std::memory_order_relaxed);
 }
 
-void State::onCount(lua_State* lua, lua_Debug*) { of(lua).look(lua); }
+void State::onCount(lua_State* lua, lua_Debug*) { of(lua).check(lua, 0); }
 
-void State::look(lua_State* lua) {
+void State::look(lua_State* lua) { check(lua, 1); }
+
+void State::check(lua_State* lua, int level) {
     const RTT::internal::Interruption* const asked = RTT::internal::Interruption::ofThisThread();
-    if (interrupted_.load(std::memory_order_relaxed) || (asked && asked->asked())) luaL_error(lua, "interrupted");
-    if (deadline_ && rtos_get_time_ns() > deadline_) luaL_error(lua, "this takes too long: the time limit has passed");
+    const bool interrupted = interrupted_.load(std::memory_order_relaxed) || (asked && asked->asked());
+    if (!interrupted && (!deadline_ || rtos_get_time_ns() <= deadline_)) {
+        if (lua_gethook(lua) == &State::onCount && lua_gethookcount(lua) != kInstructions) countTo(lua, kInstructions);
+        return;
+    }
+    // Code that catches the error meets it again at its next instruction.
+    countTo(lua, 1);
+    luaL_where(lua, level);
+    lua_pushstring(lua, interrupted ? "interrupted" : "this takes too long: the time limit has passed");
+    lua_concat(lua, 2);
+    lua_error(lua);
+}
+
+void State::countTo(lua_State* lua, int instructions) {
+    lua_sethook(lua, &State::onCount, LUA_MASKCOUNT, instructions);
+}
+
+void State::end(lua_State* lua) {
+    interrupt();
+    countTo(lua, 1);
 }
 
 bool State::call(lua_State* lua, int arguments, int results, bool traced) {
