@@ -38,13 +38,11 @@ public:
 struct LuaProgram {
     const char* name;
     LuaOwner (*makeLua)();
-    /** The words are those for the runtime; a null ends them. */
-    std::unique_ptr<DeploymentComponent> (*makeDeployer)(std::vector<char*>& words);
-    bool wordsForRuntime = false;  // those after "--" are for the runtime, and not for Lua
-    void (*end)() = nullptr;       // after the components have ended
+    /** Makes a deployer for other processes, if "--" is in the command line: the words are the program's name and what
+        follows it, which is not for Lua; a null ends them. Without this function, "--" has no such meaning. */
+    std::unique_ptr<DeploymentComponent> (*makeServer)(std::vector<char*>& words) = nullptr;
+    void (*end)() = nullptr;  // after the components have ended
 };
-
-std::unique_ptr<DeploymentComponent> makePlainDeployer(std::vector<char*>& words);
 
 /** Parses the command line, starts the runtime, does what is asked for, and takes all down. Returns the exit status. */
 int runLuaProgram(int argc, char** argv, const LuaProgram& program);

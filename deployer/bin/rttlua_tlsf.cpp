@@ -7,5 +7,5 @@
 
 int main(int argc, char** argv) {
     using namespace OCL::deploy;
-    return runLuaProgram(argc, argv, {"rttlua-tlsf", &OpenLua<OCL::LuaTLSFComponent>::make, &makePlainDeployer});
+    return runLuaProgram(argc, argv, {"rttlua-tlsf", &OpenLua<OCL::LuaTLSFComponent>::make});
 }

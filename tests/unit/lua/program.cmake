@@ -15,6 +15,12 @@ else()
   message(STATUS "left out: the test of rttlua as an interpreter, which needs lua5.1 (Debian: lua5.1)")
 endif()
 
+if(TARGET rttlua-corba)
+  oroforge_add_script_test(lua.corba
+    COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/corba_test.py $<TARGET_FILE:rttlua-corba> ${base}
+    DEPENDS ${needed} rttlua-corba)
+endif()
+
 foreach(subject prompt program)
   oroforge_add_script_test(lua.${subject}
     COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/${subject}_test.py $<TARGET_FILE:rttlua> ${base}
