@@ -53,7 +53,7 @@ bool deployFile(DeploymentComponent& deployer, const std::string& file, const Op
     for (const char* suffix : {".xml", ".cpf"})
         if (endsWith(file, suffix))
             return options.dryRun ? deployer.planOnly(file) : deployer.kickStart2(file, !options.check);
-    for (const char* suffix : {".ops", ".osd"})
+    for (const char* suffix : {".ops", ".osd", ".lua"})
         if (options.endsAtOnce() && endsWith(file, suffix)) return deployer.checkScript(file);
     for (const char* suffix : {".ops", ".osd", ".lua"})
         if (endsWith(file, suffix)) return runScript(deployer, file, options);

@@ -14,6 +14,11 @@
 namespace OCL::deploy {
 
 bool checkScript(Session& session, const std::string& file, bool runs) {
+    if (isLua(file)) {
+        const std::string fault = luaFault(*session.deployer, file);
+        if (!fault.empty()) std::cerr << fault << '\n';
+        return fault.empty();
+    }
     // The script may use the operations of this service, because it has them when it runs.
     (void)loadService(*session.deployer, "scripting");
     // Planned components do not exist.

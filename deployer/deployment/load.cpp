@@ -3,6 +3,7 @@
 #include "component_name.hpp"
 #include "libraries.hpp"
 #include "properties.hpp"
+#include "scripts.hpp"
 #include "session.hpp"
 #include "validate.hpp"
 
@@ -179,6 +180,7 @@ bool prepare(const Session& session, Plan& plan, bool planOnly, diag::Sink& sink
     const std::vector<std::string> reported = resolveTypes(plan, sink);
     PlanContext around = surroundingsOf(session);
     around.planOnly = planOnly;
+    around.luaFault = [&session](const std::string& file) { return luaFault(*session.deployer, file); };
     around.componentTypes.insert(around.componentTypes.end(), reported.begin(), reported.end());
     validate(plan, around, sink);
     return !sink.hadErrors();

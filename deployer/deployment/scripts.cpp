@@ -22,12 +22,21 @@ struct Interpreter {
 };
 
 Interpreter interpreterOf(ScriptPlan::Kind kind, const std::string& file) {
-    const std::string lua = ".lua";
     if (kind == ScriptPlan::Program) return {"scripting", "loadPrograms"};
     if (kind == ScriptPlan::StateMachine) return {"scripting", "loadStateMachines"};
-    if (file.size() > lua.size() && file.compare(file.size() - lua.size(), lua.size(), lua) == 0)
-        return {"Lua", "exec_file"};
+    if (isLua(file)) return {"Lua", "exec_file"};
     return {"scripting", "runScript"};
+}
+
+/** Loads the service of an interpreter. Lua scripts may use rttlib without asking for it. */
+bool loadInterpreter(RTT::TaskContext& component, const std::string& service) {
+    const bool isThere = component.provides()->hasService(service);
+    if (!loadService(component, service)) return false;
+    if (isThere || service != "Lua") return true;
+    RTT::OperationCaller<bool(const std::string&)> run(
+        component.provides()->getService(service)->getOperation("exec_str"));
+    if (run.ready()) (void)run("pcall(require, 'rttlib')");
+    return true;
 }
 
 const char kProgramList[] = "getProgramList", kMachineList[] = "getStateMachineList";
@@ -74,12 +83,24 @@ std::vector<LoadedScript>::const_iterator findIn(const std::vector<LoadedScript>
 
 }  // namespace
 
+bool isLua(const std::string& file) {
+    const std::string lua = ".lua";
+    return file.size() > lua.size() && file.compare(file.size() - lua.size(), lua.size(), lua) == 0;
+}
+
+std::string luaFault(RTT::TaskContext& component, const std::string& file) {
+    if (!loadInterpreter(component, "Lua")) return "the service 'Lua' is not installed";
+    RTT::OperationCaller<std::string(const std::string&)> check(
+        component.provides()->getService("Lua")->getOperation("check_file"));
+    return check.ready() ? check(file) : "the service 'Lua' has no operation 'check_file'";
+}
+
 std::string serviceFor(ScriptPlan::Kind kind, const std::string& file) { return interpreterOf(kind, file).service; }
 
 bool runScript(RTT::TaskContext& component, ScriptPlan::Kind kind, const std::string& file, std::string& error) {
     const Interpreter interpreter = interpreterOf(kind, file);
     const std::string service = std::string("the service '") + interpreter.service + "'";
-    if (!loadService(component, interpreter.service)) {
+    if (!loadInterpreter(component, interpreter.service)) {
         error = service + " is not installed";
         return false;
     }

@@ -12,6 +12,10 @@ namespace OCL::deploy {
 /** The name of the service that runs such a file. */
 std::string serviceFor(ScriptPlan::Kind kind, const std::string& file);
 
+bool isLua(const std::string& file);
+/** Has the component's service Lua compile the file. What is wrong; empty if it can be executed. */
+std::string luaFault(RTT::TaskContext& component, const std::string& file);
+
 /** Runs or loads a script file by that service of the component, which is loaded first. False with the reason, which is
     empty if it is in the log. */
 bool runScript(RTT::TaskContext& component, ScriptPlan::Kind kind, const std::string& file, std::string& error);

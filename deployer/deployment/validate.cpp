@@ -174,12 +174,20 @@ private:
         }
         for (const ScriptPlan& script : component.scripts) {
             const std::string service = serviceFor(script.kind, script.file.value);
-            if (checkFile(script.file) && service == "scripting") checkScript(component, script);
-            if (!contains(around_.services, service))
+            const bool isThere = checkFile(script.file);
+            if (isThere && service == "scripting") checkScript(component, script);
+            const bool installed = contains(around_.services, service);
+            if (isThere && installed && isLua(script.file.value)) checkLua(script);
+            if (!installed)
                 sink_.error(
                     script.file.where, "DEP022",
                     "cannot run script '" + script.file.value + "': the service '" + service + "' is not installed");
         }
+    }
+
+    void checkLua(const ScriptPlan& script) {
+        const std::string fault = around_.luaFault ? around_.luaFault(resolveFile(script.file)) : "";
+        if (!fault.empty()) sink_.error(script.file.where, "DEP068", fault);
     }
 
     /** Checks only the syntax of a script that will run, because running it reports other errors; of others, checks the

@@ -10,6 +10,7 @@
 #include <diag/sink.hpp>
 #include <rtt/internal/ComponentDescription.hpp>
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <set>
@@ -28,6 +29,7 @@ struct PlanContext {
     std::map<std::string, const RTT::internal::ComponentDescription*> descriptions;  // of types that have one
     std::vector<std::string> services;                                               // services that can be loaded
     bool serves = false;                                                             // components can have servers
+    std::function<std::string(const std::string&)> luaFault;  // what is wrong with a file of Lua code
     bool planOnly = false;  // the plan will not be applied, so the components will not exist
     std::shared_ptr<PropertyFiles> propertyFiles = std::make_shared<PropertyFiles>();
 };

@@ -27,18 +27,18 @@ bool EngineHook::disable() {
 
 bool EngineHook::execute() {
     const RTT::internal::HookInProgress here(&state_.owner(), "a Lua function of the engine");
-    const State::Entry entry(state_);
-    lua_State* const lua = entry.lua();
-    lua_getglobal(lua, function_.c_str());
+    bool goesOn = false;
     std::string why;
-    if (!lua_isfunction(lua, -1))
-        why = "there is no such function";
-    else if (!state_.call(lua, 0, 1))
-        why = lua_isstring(lua, -1) ? lua_tostring(lua, -1) : "an error that is no text";
-    else if (!lua_isboolean(lua, -1))
-        why = std::string("it has to return a bool, not a ") + luaL_typename(lua, -1);
-    else
-        return lua_toboolean(lua, -1) != 0;
+    const auto call = [&](lua_State* lua) {
+        lua_pushstring(lua, function_.c_str());
+        lua_rawget(lua, LUA_GLOBALSINDEX);
+        if (!lua_isfunction(lua, -1)) throw Failure("there is no such function");
+        lua_call(lua, 0, 1);
+        if (!lua_isboolean(lua, -1))
+            throw Failure(std::string("it has to return a bool, not a ") + luaL_typename(lua, -1));
+        goesOn = lua_toboolean(lua, -1) != 0;
+    };
+    if (state_.protect(why, call)) return goesOn;
     RTT::log(RTT::Error) << "component '" << state_.owner().getName() << "': the engine no longer calls Lua function '"
                          << function_ << "': " << why << RTT::endlog();
     return false;

@@ -107,30 +107,20 @@ void completeName(lua_State* lua, const std::string& line, Completed& found) {
     if (isFunction && found.words.size() == 1) found.behind = "(";
 }
 
-struct Request {
-    const std::string& line;
-    Completed& found;
-};
-
-int completeInLua(lua_State* lua) {
-    const Request& request = *static_cast<const Request*>(lua_touserdata(lua, 1));
-    const std::size_t quote = openQuote(request.line);
-    if (quote == std::string::npos)
-        completeName(lua, request.line, request.found);
-    else
-        completeQuoted(lua, request.line, quote, request.found);
-    return 0;
-}
-
 }  // namespace
 
 Completed complete(State& state, const std::string& line) {
     Completed found;
     found.begin = line.size();
-    Request request{line, found};
-    const State::Entry entry(state);
-    // An error means that there are no words.
-    if (lua_cpcall(entry.lua(), &guarded<&completeInLua>, &request) != 0) found.words.clear();
+    std::string error;
+    const bool done = state.protect(error, [&](lua_State* lua) {
+        const std::size_t quote = openQuote(line);
+        if (quote == std::string::npos)
+            completeName(lua, line, found);
+        else
+            completeQuoted(lua, line, quote, found);
+    });
+    if (!done) found.words.clear();
     return found;
 }
 

@@ -2,9 +2,8 @@
 // Copyright Oroforge contributors
 #include "interpreter.hpp"
 
-#include <rtt/internal/engine/interruption.hpp>
-
 #include <cstdlib>
+#include <stdexcept>
 #include <utility>
 
 #include <signal.h>
@@ -63,40 +62,32 @@ int makeText(lua_State* lua) {
 
 Interpreter::Interpreter(State& state, std::string program)
     : state_(state), program_(std::move(program)), thread_(std::this_thread::get_id()) {
-    const State::Entry entry(state_);
-    lua_State* const lua = entry.lua();
-    setSelf(lua, this);
-    lua_getglobal(lua, "os");
-    lua_pushcfunction(lua, &onExit);
-    lua_setfield(lua, -2, "exit");
+    std::string error;
+    const bool done = state_.protect(error, [this](lua_State* lua) {
+        setSelf(lua, this);
+        lua_getglobal(lua, "os");
+        lua_pushcfunction(lua, &onExit);
+        lua_setfield(lua, -2, "exit");
+    });
+    if (!done) throw std::runtime_error("os.exit() cannot be replaced: " + error);
 }
 
 Interpreter::~Interpreter() {
-    const State::Entry entry(state_);
-    setSelf(entry.lua(), nullptr);
+    std::string ignored;  // the key exists: this takes no memory
+    (void)state_.protect(ignored, [](lua_State* lua) { setSelf(lua, nullptr); });
 }
 
-bool Interpreter::run(std::function<void()> body) {
-    const State::Entry entry(state_);
-    body_ = std::move(body);
-    lua_ = outer_ = entry.lua();
+bool Interpreter::run(const std::function<void()>& body) {
+    std::string error;
     // A function of C calls all code, as in other interpreters: that shows in tracebacks.
-    const bool good = lua_cpcall(lua_, &onRun, this) == 0;
-    if (!good) report();
-    lua_ = outer_ = nullptr;
+    const bool good = state_.protect(error, [&](lua_State* lua) {
+        lua_settop(lua, 0);
+        lua_ = lua;
+        body();
+    });
+    lua_ = nullptr;
+    if (!good && !ends()) complain(error);
     return good;
-}
-
-int Interpreter::onRun(lua_State* lua) {
-    Interpreter& self = *static_cast<Interpreter*>(lua_touserdata(lua, 1));
-    lua_settop(lua, 0);
-    try {
-        self.body_();
-    } catch (const std::exception& thrown) {
-        lua_pushstring(lua, thrown.what());
-        return lua_error(lua);
-    }
-    return 0;
 }
 
 void Interpreter::complain(const std::string& message) const {
@@ -120,13 +111,7 @@ void Interpreter::report() {
 
 /** Calls the function below its arguments on the stack. */
 bool Interpreter::call(int arguments, int results) {
-    using RTT::internal::Interruption;
-    bool good = false;
-    {
-        // Waiting for operations of other components ends at an interruption.
-        const Interruption::Region region(Interruption::ofThisThread(), Interruption::Region::Script);
-        good = !ends() && state_.call(lua_, arguments, results, true);
-    }
+    const bool good = !ends() && state_.call(lua_, arguments, results, true);
     state_.clearInterrupt();
     if (good && !ends()) return true;
     report();
@@ -236,7 +221,7 @@ int Interpreter::onExit(lua_State* lua) {
     if (!self.ends_.exchange(true)) self.status_ = status;
     if (std::this_thread::get_id() == self.thread_) {
         self.state_.end(lua);
-        if (self.outer_) self.state_.end(self.outer_);
+        if (self.lua_) self.state_.end(self.lua_);
     } else {
         // Of a component: the main thread may be executing code, or waiting for a line.
         kill(getpid(), SIGTERM);

@@ -27,7 +27,7 @@ public:
     Interpreter& operator=(const Interpreter&) = delete;
 
     /** Calls `body` as a function of Lua would be called; all others are for use in it. False if it threw. */
-    bool run(std::function<void()> body);
+    bool run(const std::function<void()>& body);
 
     /** An empty name: errors begin with their place. */
     void setProgram(std::string program) { program_ = std::move(program); }
@@ -65,7 +65,6 @@ public:
     void complain(const std::string& message) const;
 
 private:
-    static int onRun(lua_State* lua);
     static int onExit(lua_State* lua);
     bool call(int arguments, int results);
     bool loaded(int failure);
@@ -75,9 +74,7 @@ private:
     State& state_;
     std::string program_;
     const std::thread::id thread_;
-    lua_State* lua_ = nullptr;    // within run()
-    lua_State* outer_ = nullptr;  // the Lua thread of the entry
-    std::function<void()> body_;
+    lua_State* lua_ = nullptr;  // within run()
     std::atomic<bool> ends_{false};
     std::atomic<int> status_{0};
 };

@@ -25,6 +25,9 @@ public:
         addOperation("exec_str", &lua::Script::text, &script_)
             .doc("Executes Lua code. False if that fails.")
             .arg("lua-string", "The code");
+        addOperation("check_file", &lua::State::check, &script_.state())
+            .doc("Only compiles a file of Lua code. Empty if that is possible, otherwise the error with its place.")
+            .arg("filename", "The file");
     }
 
 protected:

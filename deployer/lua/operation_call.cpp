@@ -36,7 +36,18 @@ OperationCall::OperationCall(State& state, Part::shared_constptr part, Life life
       life_(std::move(life)),
       result_(&state.conversion(signature_.result.isVoid() ? RTT::internal::DataSource<void>::GetTypeInfo()
                                                            : signature_.result.type)) {
-    for (const auto& argument : signature_.arguments) hasOutputs_ |= argument.isOutput();
+    prepare();
+}
+
+/** Now, because the first call may come from a real-time thread. */
+void OperationCall::prepare() {
+    Part::Args made;
+    for (const auto& argument : signature_.arguments) {
+        made.push_back(argument.type ? argument.type->buildValue() : nullptr);
+        if (!made.back()) return;
+    }
+    call_ = part_->produce(made, state_.caller());
+    kept_ = std::move(made);
 }
 
 void OperationCall::fail(const std::string& why) const {
@@ -51,11 +62,9 @@ void OperationCall::check(lua_State* lua, int first) const {
 }
 
 bool OperationCall::canReuse(lua_State* lua, int first) const {
-    if (busy_) return false;
+    if (busy_ || !call_) return false;
     for (std::size_t i = 0; i != signature_.arguments.size(); ++i) {
-        const auto& argument = signature_.arguments[i];
-        if (!argument.type) return false;
-        if (argument.isOutput() && findBox<Variable>(lua, first + static_cast<int>(i))) return false;
+        if (signature_.arguments[i].isOutput() && findBox<Variable>(lua, first + static_cast<int>(i))) return false;
     }
     return true;
 }
@@ -112,12 +121,6 @@ int OperationCall::call(lua_State* lua, int first) {
         return 1;
     }
     const Busy busy(busy_);
-    if (!call_) {
-        Part::Args made;
-        for (std::size_t i = 0; i != signature_.arguments.size(); ++i) made.push_back(newArgument(i));
-        call_ = part_->produce(made, state_.caller());
-        kept_ = std::move(made);
-    }
     for (std::size_t i = 0; i != kept_.size(); ++i) {
         try {
             assign(lua, first + static_cast<int>(i), *kept_[i]);

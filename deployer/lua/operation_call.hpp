@@ -36,6 +36,7 @@ public:
 private:
     typedef RTT::base::DataSourceBase::shared_ptr Source;
 
+    void prepare();
     void check(lua_State* lua, int first) const;
     bool canReuse(lua_State* lua, int first) const;
     /** New sources for the arguments: the Variables themselves for those that the operation assigns. */
@@ -49,10 +50,9 @@ private:
     const RTT::internal::OperationSignature signature_;
     const Life life_;
     Part::Args kept_;
-    Source call_;  // with the kept arguments; null until it is first needed
+    Source call_;  // with the kept arguments; null if one of them has no values
     const Conversion* result_;
     bool busy_ = false;  // the kept arguments are in use
-    bool hasOutputs_ = false;
 };
 
 }  // namespace OCL::lua

@@ -34,18 +34,14 @@ int trace(lua_State* lua) {
     return 0;
 }
 
-int open(lua_State* lua) {
-    const luaL_Reg functions[] = {
-        {"stats", &guarded<&stats>}, {"warn", &guarded<&warn>}, {"trace", &guarded<&trace>}, {nullptr, nullptr}};
-    luaL_register(lua, "tlsf", functions);
-    return 0;
-}
+const luaL_Reg kFunctions[] = {
+    {"stats", &guarded<&stats>}, {"warn", &guarded<&warn>}, {"trace", &guarded<&trace>}, {nullptr, nullptr}};
 
 }  // namespace
 
 void addPoolFunctions(State& state) {
-    const State::Entry entry(state);
-    if (lua_cpcall(entry.lua(), &open, nullptr) != 0) throw std::bad_alloc();
+    std::string error;
+    if (!state.protect(error, [](lua_State* lua) { luaL_register(lua, "tlsf", kFunctions); })) throw Failure(error);
 }
 
 }  // namespace OCL::lua

@@ -19,8 +19,8 @@ using RTT::internal::EngineGate;
 ProvidedFunction::~ProvidedFunction() {
     const std::shared_ptr<State> known = state.lock();
     if (!known) return;
-    const State::Entry entry(*known);
-    luaL_unref(entry.lua(), LUA_REGISTRYINDEX, reference);
+    std::string error;
+    (void)known->protect(error, [this](lua_State* lua) { luaL_unref(lua, LUA_REGISTRYINDEX, reference); });
 }
 
 ProvidedCall::ProvidedCall(std::shared_ptr<const ProvidedFunction> function, const std::vector<Source>& arguments)
@@ -117,48 +117,33 @@ void ProvidedCall::execute() {
     finish(Status::Done);
 }
 
-namespace {
-
-struct Run {
-    ProvidedCall* call;
-    const ProvidedFunction* function;
-};
-
-/** In a protected call: conversions may raise errors. */
-int runFunction(lua_State* lua) {
-    const Run& run = *static_cast<const Run*>(lua_touserdata(lua, 1));
-    const auto& signature = run.function->signature;
-    lua_rawgeti(lua, LUA_REGISTRYINDEX, run.function->reference);
+void ProvidedCall::runFunction(lua_State* lua) {
+    const auto& signature = function_->signature;
+    const int before = lua_gettop(lua);
+    lua_rawgeti(lua, LUA_REGISTRYINDEX, function_->reference);
     for (std::size_t i = 0; i != signature.arguments.size(); ++i)
-        pushCopy(lua, State::of(lua).conversion(signature.arguments[i].type), *run.call->arguments()[i]);
-    const int before = lua_gettop(lua) - static_cast<int>(signature.arguments.size());
+        pushCopy(lua, State::of(lua).conversion(signature.arguments[i].type), *arguments_[i]);
     lua_call(lua, static_cast<int>(signature.arguments.size()), LUA_MULTRET);
-    int next = before;
-    if (run.call->result()) {
+    int next = before + 1;
+    if (result_) {
         if (lua_gettop(lua) < next) throw Failure("it returns nothing instead of a " + signature.result.typeName);
         try {
-            assign(lua, next++, *run.call->result());
+            assign(lua, next++, *result_);
         } catch (const Failure& why) {
             throw Failure(std::string("its result: ") + why.what());
         }
     }
     // New values of the arguments that it changes follow.
     for (std::size_t i = 0; i != signature.arguments.size(); ++i)
-        if (signature.arguments[i].isOutput() && next <= lua_gettop(lua))
-            assign(lua, next++, *run.call->arguments()[i]);
-    return 0;
+        if (signature.arguments[i].isOutput() && next <= lua_gettop(lua)) assign(lua, next++, *arguments_[i]);
 }
-
-}  // namespace
 
 void ProvidedCall::run() {
     const std::shared_ptr<State> state = function_->state.lock();
     if (!state) throw Failure("its component was destroyed");
     const RTT::internal::HookInProgress here(&state->owner(), "an operation in Lua");
-    const State::Entry entry(*state);
-    Run run{this, function_.get()};
-    if (lua_cpcall(entry.lua(), &guarded<&runFunction>, &run) != 0)
-        throw Failure(lua_isstring(entry.lua(), -1) ? lua_tostring(entry.lua(), -1) : "an error that is no text");
+    std::string error;
+    if (!state->protect(error, [this](lua_State* lua) { runFunction(lua); })) throw Failure(error);
 }
 
 }  // namespace OCL::lua

@@ -67,6 +67,7 @@ private:
     enum class Status { Waiting, Done, Failed, Refused };
     void execute();
     void run();
+    void runFunction(lua_State* lua);
     void finish(Status status);
     void wait(const RTT::internal::EngineGate* caller);
 

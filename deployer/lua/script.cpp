@@ -44,35 +44,39 @@ bool Script::text(const std::string& text) {
 }
 
 Script::Answer Script::hook(const char* function, bool answers, double limit) {
-    const State::Entry entry(*state_);
-    lua_State* const lua = entry.lua();
-    lua_getglobal(lua, function);
-    if (lua_isnil(lua, -1)) return Answer::Missing;
-    const State::Limit limited(*state_, limit);
-    if (!state_->call(lua, 0, answers ? 1 : 0)) {
-        report(lua_isstring(lua, -1) ? lua_tostring(lua, -1)
-                                     : std::string(function) + " failed with an error that is no text");
-        return Answer::Failed;
-    }
-    if (!answers) return Answer::Yes;
-    if (lua_isboolean(lua, -1)) return lua_toboolean(lua, -1) ? Answer::Yes : Answer::No;
-    report(std::string(function) + " has to return a bool, and returned a " + luaL_typename(lua, -1));
+    Answer answer = Answer::Missing;
+    std::string error;
+    const auto call = [&](lua_State* lua) {
+        // Without metamethods: a table that refuses unknown names would fail for each missing hook.
+        lua_pushstring(lua, function);
+        lua_rawget(lua, LUA_GLOBALSINDEX);
+        if (lua_isnil(lua, -1)) return;
+        const State::Limit limited(*state_, limit);
+        lua_call(lua, 0, answers ? 1 : 0);
+        answer = Answer::Yes;
+        if (!answers) return;
+        if (!lua_isboolean(lua, -1))
+            throw Failure(std::string(function) + " has to return a bool, and returned a " + luaL_typename(lua, -1));
+        if (!lua_toboolean(lua, -1)) answer = Answer::No;
+    };
+    if (state_->protect(error, call)) return answer;
+    report(error);
     return Answer::Failed;
 }
 
 void Script::collect(double budget) {
     if (!(budget > 0) && !stepped_) return;
-    const State::Entry entry(*state_);
-    lua_State* const lua = entry.lua();
+    std::string error;
+    if (!state_->protect(error, [&](lua_State* lua) { step(lua, budget); })) report(error);
+}
+
+void Script::step(lua_State* lua, double budget) {
     if (!(budget > 0)) {
         stepped_ = false;
         (void)lua_gc(lua, LUA_GCRESTART, 0);
         return;
     }
-    if (!stepped_) {
-        stepped_ = true;
-        (void)lua_gc(lua, LUA_GCSTOP, 0);
-    }
+    stepped_ = true;
     const std::int64_t start = rtos_get_time_ns();
     const std::int64_t end = start + static_cast<std::int64_t>(budget * 1e9);
     std::int64_t now = start;
@@ -80,13 +84,13 @@ void Script::collect(double budget) {
     do {
         ++steps_;
         const bool done = lua_gc(lua, LUA_GCSTEP, 0) != 0;
-        // A step starts the collector again.
-        (void)lua_gc(lua, LUA_GCSTOP, 0);
         now = rtos_get_time_ns();
         if (!done) continue;
         ++cycles_;
         break;
     } while (now < end);
+    // A step has set when Lua itself goes on.
+    (void)lua_gc(lua, LUA_GCSTOP, 0);
     const double took = static_cast<double>(now - start) * 1e-9;
     longest_ = std::max(longest_, took);
     total_ += took;

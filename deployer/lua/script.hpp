@@ -39,10 +39,10 @@ public:
 
 private:
     void report(const std::string& error) const;
+    void step(lua_State* lua, double budget);
 
     const std::shared_ptr<State> state_;
     bool stepped_ = false;  // Lua does not collect by itself
-    std::size_t threshold_ = 0;
     std::uint64_t steps_ = 0, cycles_ = 0;
     double longest_ = 0, total_ = 0;
 };

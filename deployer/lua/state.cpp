@@ -27,11 +27,20 @@ constexpr int kInstructions = 1000;
 constexpr unsigned kDeepest = 150;
 thread_local unsigned nesting = 0;
 
-int open(lua_State* lua) {
+char collectorKey;
+
+int collectGarbage(lua_State* lua) {
+    (void)lua_gc(lua, LUA_GCCOLLECT, 0);
+    return 0;
+}
+
+void open(lua_State* lua) {
     luaL_openlibs(lua);
+    lua_pushlightuserdata(lua, &collectorKey);
+    lua_pushcfunction(lua, &collectGarbage);
+    lua_rawset(lua, LUA_REGISTRYINDEX);
     openModule(lua);
     setSearchPaths(lua);
-    return 0;
 }
 
 int addTraceback(lua_State* lua) {
@@ -52,10 +61,10 @@ int addTraceback(lua_State* lua) {
     return 1;
 }
 
-/** The error on the stack, which need not be a text. */
+/** The error on the stack, which need not be a text. Raises no error itself. */
 std::string takeMessage(lua_State* lua) {
     std::string message;
-    if (lua_isstring(lua, -1))
+    if (lua_type(lua, -1) == LUA_TSTRING)
         message = lua_tostring(lua, -1);
     else
         message = std::string("(error object is a ") + luaL_typename(lua, -1) + " value)";
@@ -71,14 +80,17 @@ State::State(RTT::TaskContext& owner, std::unique_ptr<Memory> memory)
     main_ = lua_newstate(&Memory::allocate, memory_.get());
     if (!main_) throw std::bad_alloc();
     lua_sethook(main_, &State::onCount, LUA_MASKCOUNT, kInstructions);
-    bool opened = false;
     std::string error;
-    {
-        const Entry entry(*this);
-        opened = lua_cpcall(main_, &open, nullptr) == 0;
-        if (!opened) error = takeMessage(main_);
+    try {
+        if (protect(error, [this](lua_State* lua) {
+                open(lua);
+                makeThread();
+            }))
+            return;
+    } catch (...) {
+        lua_close(main_);
+        throw;
     }
-    if (opened) return;
     lua_close(main_);
     throw std::runtime_error("Lua cannot be started: " + error);
 }
@@ -158,20 +170,27 @@ lua_State* State::takeThread() {
         return main_;
     }
     if (idle_.empty()) {
-        lua_State* const made = lua_newthread(main_);
-        // Kept for good, under a key that is its own.
-        lua_pushlightuserdata(main_, made);
-        lua_insert(main_, -2);
-        lua_rawset(main_, LUA_REGISTRYINDEX);
-        idle_.push_back(made);
+        std::string error;
+        auto make = [this](lua_State*) { makeThread(); };
+        if (!protectCall(main_, &guarded<&State::invoke<decltype(make)>>, &make, error)) throw std::bad_alloc();
     }
     lua_State* const taken = idle_.back();
     idle_.pop_back();
     return taken;
 }
 
+void State::makeThread() {
+    lua_State* const made = lua_newthread(main_);
+    // Kept for good, under a key that is its own.
+    lua_pushlightuserdata(main_, made);
+    lua_insert(main_, -2);
+    lua_rawset(main_, LUA_REGISTRYINDEX);
+    idle_.push_back(made);
+}
+
 void State::giveBack(lua_State* lua) {
     lua_settop(lua, 0);
+    if (lua_gethookcount(lua) == 1) countTo(lua, kInstructions);
     if (lua == main_)
         mainTaken_ = false;
     else
@@ -179,18 +198,19 @@ void State::giveBack(lua_State* lua) {
     if (depth_ == 1 && !mainTaken_) interrupted_.store(false, std::memory_order_relaxed);
 }
 
-void State::onCount(lua_State* lua, lua_Debug*) { of(lua).check(lua, 0); }
+void State::onCount(lua_State* lua, lua_Debug*) { of(lua).failIfAsked(lua, 0); }
 
-void State::look(lua_State* lua) { check(lua, 1); }
+void State::look(lua_State* lua) { failIfAsked(lua, 1); }
 
-void State::check(lua_State* lua, int level) {
+/** The message has the place of the caller at this level of the stack. */
+void State::failIfAsked(lua_State* lua, int level) {
     const RTT::internal::Interruption* const asked = RTT::internal::Interruption::ofThisThread();
     const bool interrupted = interrupted_.load(std::memory_order_relaxed) || (asked && asked->asked());
-    if (!interrupted && (!deadline_ || rtos_get_time_ns() <= deadline_)) {
+    if (!interrupted && !(deadline_ && rtos_get_time_ns() > deadline_)) {
         if (lua_gethook(lua) == &State::onCount && lua_gethookcount(lua) != kInstructions) countTo(lua, kInstructions);
         return;
     }
-    // Code that catches the error meets it again at its next instruction.
+    // The next instruction fails, too, so that no pcall() around it goes on.
     countTo(lua, 1);
     luaL_where(lua, level);
     lua_pushstring(lua, interrupted ? "interrupted" : "this takes too long: the time limit has passed");
@@ -214,24 +234,53 @@ bool State::call(lua_State* lua, int arguments, int results, bool traced) {
         lua_pushcfunction(lua, &addTraceback);
         lua_insert(lua, handler);
     }
-    const int status = lua_pcall(lua, arguments, results, handler);
+    int status;
+    {
+        using RTT::internal::Interruption;
+        const Interruption::Region script(Interruption::ofThisThread(), Interruption::Region::Script);
+        status = lua_pcall(lua, arguments, results, handler);
+    }
     if (handler) lua_remove(lua, handler);
     return status == 0;
 }
 
-bool State::runFile(const std::string& file, std::string& error) {
-    const Entry entry(*this);
-    if (luaL_loadfile(entry.lua(), file.c_str()) == 0 && call(entry.lua(), 0, 0)) return true;
-    error = takeMessage(entry.lua());
+bool State::protectCall(lua_State* lua, lua_CFunction function, void* data, std::string& error) {
+    using RTT::internal::Interruption;
+    const Interruption::Region script(Interruption::ofThisThread(), Interruption::Region::Script);
+    const int status = lua_cpcall(lua, function, data);
+    if (status == 0) return true;
+    error = takeMessage(lua);
+    if (status == LUA_ERRMEM) collectAll(lua);
     return false;
 }
 
+/** Lua itself does not try this when memory is used up. */
+void State::collectAll(lua_State* lua) {
+    lua_pushlightuserdata(lua, &collectorKey);
+    lua_rawget(lua, LUA_REGISTRYINDEX);
+    if (lua_pcall(lua, 0, 0, 0) != 0) lua_pop(lua, 1);
+}
+
+bool State::runFile(const std::string& file, std::string& error) {
+    return protect(error, [&](lua_State* lua) {
+        if (luaL_loadfile(lua, file.c_str()) != 0) lua_error(lua);
+        lua_call(lua, 0, 0);
+    });
+}
+
+std::string State::check(const std::string& file) {
+    std::string error;
+    (void)protect(error, [&](lua_State* lua) {
+        if (luaL_loadfile(lua, file.c_str()) != 0) lua_error(lua);
+    });
+    return error;
+}
+
 bool State::runText(const std::string& text, const std::string& name, std::string& error) {
-    const Entry entry(*this);
-    if (luaL_loadbuffer(entry.lua(), text.data(), text.size(), name.c_str()) == 0 && call(entry.lua(), 0, 0))
-        return true;
-    error = takeMessage(entry.lua());
-    return false;
+    return protect(error, [&](lua_State* lua) {
+        if (luaL_loadbuffer(lua, text.data(), text.size(), name.c_str()) != 0) lua_error(lua);
+        lua_call(lua, 0, 0);
+    });
 }
 
 void State::keep(std::shared_ptr<EngineHook> hook) {

@@ -14,6 +14,7 @@
 #include <memory>
 #include <string>
 #include <thread>
+#include <type_traits>
 #include <unordered_map>
 #include <vector>
 
@@ -110,9 +111,19 @@ public:
     /** Inside: calls the function below its arguments on the stack. False if it fails; then the message, with a
         traceback if `traced`, is the only value left of them. */
     bool call(lua_State* lua, int arguments, int results, bool traced = false);
+    /** Calls `function(lua)` in the calling thread, where errors of Lua are caught. False if it fails, with the message
+        in `error`. Outside of this, and of call(), an error of Lua ends the process; even the lack of memory is one. */
+    template <class Function>
+    bool protect(std::string& error, Function&& function) {
+        const Entry entry(*this);
+        void* const data = const_cast<void*>(static_cast<const void*>(&function));
+        return protectCall(entry.lua(), &guarded<&State::invoke<std::remove_reference_t<Function>>>, data, error);
+    }
     /** Runs a file or a text in the calling thread. False if it fails, with the message in `error`. */
     bool runFile(const std::string& file, std::string& error);
     bool runText(const std::string& text, const std::string& name, std::string& error);
+    /** Only compiles. Empty if that is possible, otherwise the message. */
+    std::string check(const std::string& file);
 
     /** Inside: what becomes of values of this type. */
     const Conversion& conversion(const RTT::types::TypeInfo* type);
@@ -130,12 +141,20 @@ public:
 
 private:
     friend class Entry;
+    template <class Function>
+    static int invoke(lua_State* lua) {
+        (*static_cast<Function*>(lua_touserdata(lua, 1)))(lua);
+        return 0;
+    }
+    bool protectCall(lua_State* lua, lua_CFunction function, void* data, std::string& error);
+    void collectAll(lua_State* lua);
+    void makeThread();
     void enter();
     void exit();
     lua_State* takeThread();
     void giveBack(lua_State* lua);
     static void onCount(lua_State* lua, lua_Debug* where);
-    void check(lua_State* lua, int level);
+    void failIfAsked(lua_State* lua, int level);
     static void countTo(lua_State* lua, int instructions);
 
     RTT::TaskContext& owner_;

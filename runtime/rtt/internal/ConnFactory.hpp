@@ -65,6 +65,12 @@ public:
                              base::InputPortInterface* partner = nullptr);
     static bool createStream(base::InputPortInterface& input, ConnPolicy const& policy,
                              base::OutputPortInterface* partner = nullptr);
+    /** The same for a transport that knows both ends. The stream has the `id`, and ends together with the element
+        `beyond` it. The stream's element, or null if it cannot be joined. */
+    static ElementPtr createStream(base::OutputPortInterface& output, ConnPolicy const& policy,
+                                   std::unique_ptr<ConnID> id, ElementPtr const& beyond);
+    static ElementPtr createStream(base::InputPortInterface& input, ConnPolicy const& policy,
+                                   std::unique_ptr<ConnID> id, ElementPtr const& beyond);
     static bool createSharedConnection(base::OutputPortInterface* output, base::InputPortInterface* input,
                                        boost::intrusive_ptr<SharedConnectionBase> connection, ConnPolicy const& policy);
 

@@ -6,9 +6,13 @@
 #include <rtt/TaskContext.hpp>
 #include <rtt/internal/GlobalEngine.hpp>
 
+#include "../flow/log_capture.hpp"
 #include "peer_fixture.hpp"
 
+#include <omniORB4/omniORB.h>
+
 #include <atomic>
+#include <cstdlib>
 #include <string>
 #include <thread>
 #include <vector>
@@ -47,6 +51,15 @@ protected:
         }));
     }
     Here here;
+};
+
+/** For all calls of this process. */
+class TimeLimit {
+public:
+    explicit TimeLimit(CORBA::ULong milliseconds) { omniORB::setClientCallTimeout(milliseconds); }
+    ~TimeLimit() { omniORB::setClientCallTimeout(0); }
+    TimeLimit(const TimeLimit&) = delete;
+    TimeLimit& operator=(const TimeLimit&) = delete;
 };
 
 }  // namespace
@@ -105,7 +118,7 @@ TEST_F(CorbaFaults, AStoppedProcessDelaysNobody) {
     here.addPort(near);
     ASSERT_TRUE(here.out.connectTo(&near, ConnPolicy::circularBuffer(1000)));
     expectSamplesCross(1);
-    child->send(SIGSTOP);
+    suspend();
     const Clock::time_point begin = Clock::now();
     double got = 0;
     for (int i = 0; i != 1000; ++i) (void)here.out.write(i);
@@ -126,7 +139,7 @@ TEST_F(CorbaFaults, AStoppedProcessDelaysNobody) {
 TEST_F(CorbaFaults, SamplesOfAPauseArriveAfterIt) {
     connect(ConnPolicy::buffer(10));
     expectSamplesCross(1);
-    child->send(SIGSTOP);
+    suspend();
     EXPECT_EQ(here.out.write(5), WriteSuccess);
     std::this_thread::sleep_for(std::chrono::milliseconds(2500));  // longer than one sample may take
     EXPECT_EQ(here.out.write(6), WriteSuccess);
@@ -179,20 +192,76 @@ TEST_F(CorbaFaults, AHundredConnections) {
     EXPECT_EQ(here.in.getManager()->getConnections().size(), 1U);
 }
 
-TEST_F(CorbaFaults, ManyCallsAtOnce) {
-    const char* const slowly = std::getenv("TSAN_OPTIONS");
-    const int count = slowly ? 500 : 5000;
+// The component knows no more than the reference of the service that it calls; the proxy is in the same process.
+TEST_F(CorbaFaults, AServiceReturnsToThoseThatRequireIt) {
+    struct Needy : TaskContext {
+        Needy() : TaskContext("needy") { requires_("deep")->addOperationCaller(thrice); }
+        OperationCaller<int(int)> thrice{"thrice"};
+    } needy;
+    const corba::CTaskContext_var own = corba::TaskContextServer::CreateServer(&needy, false);
+    const corba::CServiceRequester_var wish = own->getRequester("deep");
+    const corba::CService_var sub = peer->server()->getProvider("sub");
+    const corba::CService_var deep = sub->getService("deep");
+    ASSERT_TRUE(wish->connectTo(deep));
+    EXPECT_EQ(needy.thrice(4), 12);
+    {
+        flow_test::LogCapture log;
+        end(SIGKILL);
+        for (int i = 0; i != 100; ++i) EXPECT_THROW(needy.thrice(4), std::runtime_error);
+        std::this_thread::sleep_for(std::chrono::milliseconds(1500));  // more than a period of the watch
+        EXPECT_THROW(needy.thrice(4), std::runtime_error);
+        const std::string text = log.finish();
+        const std::string line = "component 'deep' of another process does not answer";
+        EXPECT_NE(text.find(line), std::string::npos) << text;
+        EXPECT_EQ(text.find(line), text.rfind(line)) << "once is enough: " << text;
+    }
+    begin();
+    EXPECT_TRUE(soon([&] {
+        try {
+            return needy.thrice(5) == 15;
+        } catch (const std::runtime_error&) {
+            return false;
+        }
+    }));
+    corba::TaskContextServer::CleanupServer(&needy);
+}
+
+TEST_F(CorbaFaults, CallsMayHaveATimeLimit) {
+    const TimeLimit limit(200);
+    OperationCaller<int(int, int)> add(peer->getOperation("add"));
+    suspend();
+    const Clock::time_point begin = Clock::now();
+    EXPECT_THROW(add(1, 2), std::runtime_error);
+    EXPECT_LT(secondsSince(begin), 10);
+    child->send(SIGCONT);
+    EXPECT_TRUE(soon([&] { return peer->ready() && add(1, 2) == 3; }));
+}
+
+// Each call of both processes has a time-out.
+TEST_F(CorbaFaults, ManyCallsInBothDirectionsAtOnce) {
+    constexpr int kThreads = 4;
+    const bool isSlow = std::getenv("TSAN_OPTIONS") || std::getenv("ASAN_OPTIONS");
+    const int count = (isSlow ? 4000 : 100000) / (2 * kThreads);
+    const TimeLimit limit(10000);
+    Here other;
+    other.addOperation("add", [](int a, int b) { return a + b; });
+    ASSERT_TRUE(peer->addPeer(&other));
     std::vector<std::thread> threads;
-    std::atomic<int> wrong{0};
-    for (int t = 0; t != 8; ++t)
+    std::atomic<int> right{0};
+    for (int t = 0; t != kThreads; ++t)
         threads.emplace_back([&] {
             OperationCaller<int(int, int)> add(peer->getOperation("add"));
             OperationCaller<std::string(const std::string&)> own(peer->getOperation("own"));
-            for (int i = 0; i != count; ++i)
-                if (i % 2 ? own("x") != "x own" : add(i, i) != 2 * i) ++wrong;
+            for (int i = 0; i != count; ++i) right += i % 2 ? own("x") == "x own" : add(i, i) == 2 * i;
         });
+    OperationCaller<int(const std::string&, int, int)> callBack(peer->getOperation("callBack"));
+    auto there = callBack.send(other.getName(), kThreads, count);
     for (std::thread& one : threads) one.join();
-    EXPECT_EQ(wrong, 0);
+    EXPECT_EQ(right, kThreads * count);
+    int theirs = 0;
+    ASSERT_TRUE(soon([&] { return there.collectIfDone(theirs) != SendNotReady; }));
+    EXPECT_EQ(theirs, kThreads * count);
+    corba::TaskContextServer::CleanupServer(&other);
 }
 
 // The other component calls back the one that waits for it, in its own thread.

@@ -6,9 +6,11 @@
 #include <rtt/os/main.h>
 #include <rtt/transports/corba/TaskContextServer.hpp>
 
+#include <atomic>
 #include <iostream>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 using namespace RTT;
@@ -21,9 +23,13 @@ public:
         addPort("in", in).doc("Samples come back from here.");
         addEventPort("echo", echo, [this](base::PortInterface*) {
             double sample = 0;
-            while (echo.read(sample) == NewData) out.write(2 * sample);
+            while (echo.read(sample) == NewData) {
+                out.write(2 * sample);
+                tripled.write(3 * sample);
+            }
         });
         addPort("out", out);
+        addPort("tripled", tripled);
         addProperty("gain", gain).doc("A number.");
         addProperty("label", label);
         inner.ownProperty(new Property<double>("limit", "Within a bag.", 7));
@@ -43,6 +49,7 @@ public:
         provides("other")->addOperation("twice", &Peer::twice, this);
         requires_("wish")->addOperationCaller(wished);
         addOperation("callWished", &Peer::callWished, this, OwnThread);
+        addOperation("callBack", &Peer::callBack, this, ClientThread);
     }
     ~Peer() override { stopForGood(); }
 
@@ -66,8 +73,23 @@ private:
     int thrice(int a) { return 3 * a; }
     int callWished(int a) { return wished.ready() ? wished(a) : -1; }
 
+    /** Has a peer add from several threads at once, and tells how many results are right. */
+    int callBack(const std::string& name, int threads, int count) {
+        TaskContext* const other = getPeer(name);
+        if (!other) return -1;
+        std::atomic<int> right{0};
+        std::vector<std::thread> all;
+        for (int t = 0; t != threads; ++t)
+            all.emplace_back([&, t] {
+                OperationCaller<int(int, int)> there(other->getOperation("add"));
+                for (int i = 0; i != count; ++i) right += there(i, t) == i + t;
+            });
+        for (std::thread& one : all) one.join();
+        return right;
+    }
+
     InputPort<double> in, echo;
-    OutputPort<double> out;
+    OutputPort<double> out, tripled;
     double gain = 1.5, level = 0.5;
     std::string label = "first";
     PropertyBag inner;

@@ -7,6 +7,7 @@
 #include "peer_fixture.hpp"
 
 #include <string>
+#include <thread>
 #include <vector>
 
 using namespace RTT;
@@ -148,6 +149,33 @@ TEST_F(CorbaProcesses, SamplesCrossInBothDirections) {
         EXPECT_TRUE(soon([&] { return !peer->getPort("echo")->connected(); }));
         peer->getPort("out")->disconnect();
         EXPECT_TRUE(soon([&] { return !in.connected(); }));
+    }
+}
+
+TEST_F(CorbaProcesses, ConnectionsThatBeginAtOnceKeepTheirNames) {
+    TaskContext here("here");
+    OutputPort<double> out("out");
+    InputPort<double> in("in");
+    here.addPort(out);
+    here.addPort(in);
+    ASSERT_TRUE(peer->configure() && peer->start());
+    ASSERT_TRUE(out.connectTo(peer->getPort("echo"), ConnPolicy::buffer(10)));
+    for (int i = 0; i != 40 && !HasFailure(); ++i) {
+        ConnPolicy doubled = ConnPolicy::buffer(10), tripled = ConnPolicy::buffer(10);
+        bool isDone = false;
+        std::thread other([&] { isDone = peer->getPort("tripled")->connectTo(&in, tripled); });
+        EXPECT_TRUE(peer->getPort("out")->connectTo(&in, doubled));
+        other.join();
+        EXPECT_TRUE(isDone);
+        EXPECT_EQ(doubled.name_id, "");
+        EXPECT_TRUE(peer->getPort("out")->disconnect(&in));
+        EXPECT_TRUE(in.connected());
+        EXPECT_TRUE(soon([&] { return !peer->getPort("out")->connected(); })) << "the other one was disconnected";
+        EXPECT_TRUE(peer->getPort("tripled")->connected());
+        EXPECT_TRUE(peer->getPort("tripled")->connectedTo(&in));
+        EXPECT_TRUE(peer->getPort("tripled")->disconnect(&in));
+        EXPECT_TRUE(soon([&] { return !peer->getPort("tripled")->connected(); }));
+        EXPECT_FALSE(in.connected());
     }
 }
 

@@ -20,6 +20,7 @@
 #include <string>
 #include <thread>
 
+#include <sys/wait.h>
 #include <unistd.h>
 
 namespace corba_test {
@@ -50,6 +51,7 @@ protected:
         command.program = CORBA_PEER;
         command.directory = directory.path();
         command.environment["ORO_LOGFILE"] = "/dev/null";
+        command.environment["ORBclientCallTimeOutPeriod"] = "30000";  // ms, for each call of the other process
         child = std::make_unique<oroforge::test::ChildProcess>(command);
         ASSERT_TRUE(child->waitForOutput("reference IOR:", std::chrono::seconds(20)));
     }
@@ -60,6 +62,12 @@ protected:
     void end(int signal) {
         child->send(signal);
         (void)child->finish();
+    }
+    /** Afterwards none of its threads executes. */
+    void suspend() {
+        child->send(SIGSTOP);
+        siginfo_t info{};
+        ASSERT_EQ(waitid(P_PID, static_cast<id_t>(child->pid()), &info, WSTOPPED | WNOWAIT), 0);
     }
     oroforge::test::TempDir directory;
     std::unique_ptr<oroforge::test::ChildProcess> child;

@@ -15,6 +15,7 @@
 #include <rtt/types/TypeThunkTable.hpp>
 
 #include <algorithm>
+#include <memory>
 
 namespace RTT::internal {
 
@@ -91,9 +92,39 @@ base::ChannelElementBase::shared_ptr transportElement(base::PortInterface& port,
     return element;
 }
 
-bool created(const base::PortInterface& port, ConnPolicy const& policy) {
+typedef base::ChannelElementBase::shared_ptr ElementPtr;
+
+ElementPtr created(const base::PortInterface& port, ConnPolicy const& policy, const ElementPtr& element) {
     log(Info) << "created stream '" << policy.name_id << "' for " << describe(port) << endlog();
-    return true;
+    return element;
+}
+
+/** `newId`: makes the identification, when the name of the stream is known. */
+template <class NewId>
+ElementPtr joined(base::OutputPortInterface& output, ConnPolicy const& policy, const ElementPtr& beyond, NewId newId) {
+    const ElementPtr element = transportElement(output, policy, true);
+    if (!element) return nullptr;
+    if (beyond) (void)element->connectTo(beyond);
+    if (output.addConnection(newId(), element, policy)) return created(output, policy, element);
+    element->disconnect(nullptr, true);
+    return nullptr;
+}
+
+template <class NewId>
+ElementPtr joined(base::InputPortInterface& input, ConnPolicy const& policy, const ElementPtr& beyond, NewId newId) {
+    const ElementPtr element = transportElement(input, policy, false);
+    if (!element) return nullptr;
+    if (beyond) (void)beyond->connectTo(element);
+    const ElementPtr storage = ConnFactory::makeChannelOutput(input, policy);
+    if (storage && element->connectTo(storage) && input.channelReady(storage, policy, newId())) {
+        // A sample that came before the port knew the storage has signalled a port that could not read it.
+        const StorageCore* const core = storage->storageCore();
+        if (core && core->store().size() != 0) (void)input.getEndpoint()->signal();
+        return created(input, policy, element);
+    }
+    log(Error) << describe(input) << " could not read from the stream '" << policy.name_id << "'" << endlog();
+    element->disconnect(nullptr, true);
+    return nullptr;
 }
 
 ConnID* newId(const ConnPolicy& policy, base::PortInterface* partner) {
@@ -104,27 +135,22 @@ ConnID* newId(const ConnPolicy& policy, base::PortInterface* partner) {
 
 bool ConnFactory::createStream(base::OutputPortInterface& output, ConnPolicy const& policy,
                                base::InputPortInterface* partner) {
-    const ElementPtr element = transportElement(output, policy, true);
-    if (!element) return false;
-    if (output.addConnection(newId(policy, partner), element, policy)) return created(output, policy);
-    element->disconnect(nullptr, true);
-    return false;
+    return joined(output, policy, nullptr, [&] { return newId(policy, partner); }) != nullptr;
 }
 
 bool ConnFactory::createStream(base::InputPortInterface& input, ConnPolicy const& policy,
                                base::OutputPortInterface* partner) {
-    const ElementPtr element = transportElement(input, policy, false);
-    if (!element) return false;
-    const ElementPtr storage = makeChannelOutput(input, policy);
-    if (storage && element->connectTo(storage) && input.channelReady(storage, policy, newId(policy, partner))) {
-        // A sample that came before the port knew the storage has signalled a port that could not read it.
-        const StorageCore* const core = storage->storageCore();
-        if (core && core->store().size() != 0) (void)input.getEndpoint()->signal();
-        return created(input, policy);
-    }
-    log(Error) << describe(input) << " could not read from the stream '" << policy.name_id << "'" << endlog();
-    element->disconnect(nullptr, true);
-    return false;
+    return joined(input, policy, nullptr, [&] { return newId(policy, partner); }) != nullptr;
+}
+
+ConnFactory::ElementPtr ConnFactory::createStream(base::OutputPortInterface& output, ConnPolicy const& policy,
+                                                  std::unique_ptr<ConnID> id, ElementPtr const& beyond) {
+    return joined(output, policy, beyond, [&] { return id.release(); });
+}
+
+ConnFactory::ElementPtr ConnFactory::createStream(base::InputPortInterface& input, ConnPolicy const& policy,
+                                                  std::unique_ptr<ConnID> id, ElementPtr const& beyond) {
+    return joined(input, policy, beyond, [&] { return id.release(); });
 }
 
 }  // namespace RTT::internal

@@ -3,8 +3,10 @@
 #include <rtt/transports/corba/CorbaOperationCallerFactory.hpp>
 
 #include <rtt/internal/DataSource.hpp>
+#include <rtt/transports/corba/detail/lone_service.hpp>
 #include <rtt/transports/corba/detail/remote_part.hpp>
 
+#include <memory>
 #include <utility>
 
 namespace RTT::corba {
@@ -16,8 +18,8 @@ std::unique_ptr<const OperationInterfacePart> find(const std::string& name, CSer
     for (CORBA::ULong i = 0; i != all->length(); ++i) {
         if (name != all[i].name.in()) continue;
         const CORBA::String_var owner = service->getName();
-        return std::make_unique<detail::RemotePart>(std::make_shared<detail::RemotePeer>(owner.in()),
-                                                    detail::RemoteReference::of(service), all[i]);
+        const std::shared_ptr<detail::LoneService> peer = detail::LoneService::of(service, owner.in());
+        return std::make_unique<detail::RemotePart>(peer, peer->reference(), all[i]);
     }
     throw name_not_found_exception(name);
 }

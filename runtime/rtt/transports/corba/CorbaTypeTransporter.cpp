@@ -4,6 +4,7 @@
 
 #include <rtt/Logger.hpp>
 #include <rtt/transports/corba/detail/any_values.hpp>
+#include <rtt/transports/corba/detail/lone_service.hpp>
 #include <rtt/transports/corba/detail/remote_value.hpp>
 #include <rtt/types/Types.hpp>
 
@@ -25,9 +26,8 @@ base::DataSourceBase::shared_ptr newRemoteValue(const CorbaTypeTransporter& tran
         const types::TypeInfo* const type = types::Types()->type(typeName.in());
         if (!type || detail::transporterOf(*type) != &transporter) return nullptr;
         const CORBA::String_var owner = service->getName();
-        return detail::newRemoteValue(
-            *type, {std::make_shared<detail::RemotePeer>(owner.in()), detail::RemoteReference::of(service), kind, name},
-            assignable);
+        const std::shared_ptr<detail::LoneService> peer = detail::LoneService::of(service, owner.in());
+        return detail::newRemoteValue(*type, {peer, peer->reference(), kind, name}, assignable);
     } catch (const CORBA::Exception& error) {
         log(Error) << "no access to '" << name << "' of another process: " << detail::describe(error) << endlog();
         return nullptr;

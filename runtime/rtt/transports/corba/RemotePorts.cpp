@@ -7,6 +7,7 @@
 #include <rtt/Service.hpp>
 #include <rtt/internal/ConnFactory.hpp>
 #include <rtt/internal/ConnectionManager.hpp>
+#include <rtt/internal/flow/stream_sender.hpp>
 #include <rtt/transports/corba/CorbaConnPolicy.hpp>
 #include <rtt/transports/corba/CorbaLib.hpp>
 #include <rtt/transports/corba/RemoteConnID.hpp>
@@ -21,6 +22,7 @@
 #include <rtt/transports/corba/detail/serving.hpp>
 #include <rtt/types/TypeInfo.hpp>
 
+#include <memory>
 #include <optional>
 #include <stdexcept>
 
@@ -190,20 +192,41 @@ private:
     const CRemoteChannelElement_var remote_;
 };
 
-/** By a stream of another transport, whose ends both processes make. */
-bool joinOutOfBand(base::OutputPortInterface& output, CDataFlowInterface_ptr interface, const std::string& input,
-                   const ConnPolicy& policy) {
-    if (!output.createStream(policy)) return false;
-    const internal::StreamConnID stream(policy.name_id);
-    try {
+/** By a stream of another transport, whose ends both processes make. The channels tell each other of their end. */
+bool joinOutOfBand(base::OutputPortInterface& output, const RemoteConnID& input, const ConnPolicy& policy,
+                   const detail::LostConnections::Ended& ended) {
+    const bool isForOthersToo = !policy.name_id.empty();
+    const RemoteChannel::Pointer channel =
+        RemoteChannel::make(RemoteChannel::End::Writer, *output.getTypeInfo(), policy, output.getFullName());
+    if (!channel) return false;
+    const base::ChannelElementBase::shared_ptr stream =
+        internal::ConnFactory::createStream(output, policy, std::unique_ptr<internal::ConnID>(input.clone()), channel);
+    if (!stream) {
+        channel->leave();
+        return false;
+    }
+    const auto isJoined = [&]() -> bool {
         CConnPolicy given = toCORBA(policy);
-        const CChannelElement_var element = interface->buildChannelOutput(input.c_str(), given);
-        if (!CORBA::is_nil(element) && element->channelReady(given)) return true;
+        const CChannelElement_var element = input.dataflow->buildChannelOutput(input.name.c_str(), given);
+        const CRemoteChannelElement_var remote = CRemoteChannelElement::_narrow(element);
+        if (CORBA::is_nil(remote)) return false;
+        Attempt attempt(detail::limited<CRemoteChannelElement>(remote));
+        channel->setRemoteSide(remote);
+        remote->setRemoteSide(CRemoteChannelElement_var(channel->reference()));
+        return attempt.isDone = remote->channelReady(given);
+    };
+    try {
+        if (isJoined()) {
+            channel->whenEnded(ended);
+            auto* const sender = isForOthersToo ? nullptr : dynamic_cast<internal::StreamSender*>(stream.get());
+            if (sender) sender->withdrawName();
+            return true;
+        }
     } catch (const CORBA::Exception&) {
-        (void)output.getManager()->removeConnection(&stream);
+        (void)output.getManager()->removeConnection(&input);
         throw;
     }
-    (void)output.getManager()->removeConnection(&stream);
+    (void)output.getManager()->removeConnection(&input);
     return false;
 }
 
@@ -228,9 +251,10 @@ bool RemoteInputPort::connectFrom(base::OutputPortInterface& output, ConnPolicy 
     }
     return ask("cannot be connected", false, [&](CDataFlowInterface_ptr interface) -> bool {
         if (detail::isOutOfBand(wanted)) {
-            const bool joined = joinOutOfBand(output, interface, getName(), wanted);
+            const bool isJoined = joinOutOfBand(output, RemoteConnID(interface, getName(), getFullName()), wanted,
+                                                lost_->remember(output, policy));
             policy.name_id = wanted.name_id;
-            return joined;
+            return isJoined;
         }
         CConnPolicy given = toCORBA(wanted);
         const CChannelElement_var element = interface->buildChannelOutput(getName().c_str(), given);
@@ -270,10 +294,13 @@ bool RemoteOutputPort::createConnection(base::InputPortInterface& sink, ConnPoli
     return ask("cannot be connected", false, [&](CDataFlowInterface_ptr interface) -> bool {
         std::optional<detail::ExpectedChannel> expected;
         if (!remote)
-            expected.emplace(sink, RemoteConnID(interface, getName(), getFullName()), lost_->remember(sink, policy));
+            expected.emplace(sink, RemoteConnID(interface, getName(), getFullName()), lost_->remember(sink, policy),
+                             detail::isOutOfBand(policy));
         CConnPolicy given = toCORBA(completed(policy));
+        const bool isNamed = expected && !expected->name().empty() && policy.buffer_policy != Shared;
+        if (isNamed) given.name_id = expected->name().c_str();
         const bool connected = interface->createConnection(getName().c_str(), theirs, sink.getName().c_str(), given);
-        policy.name_id = given.name_id.in();
+        if (!isNamed) policy.name_id = given.name_id.in();
         policy.data_size = given.data_size;
         return connected;
     });

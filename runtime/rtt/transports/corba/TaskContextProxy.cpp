@@ -138,7 +138,7 @@ void TaskContextProxy::begin(CTaskContext_ptr task) {
         const std::string name = nameOf(task);
         setServer(task);
         if (location_.empty()) location_ = name;
-        remote_ = std::make_shared<detail::RemotePeer>(name, /*isWatched=*/true);
+        remote_ = std::make_shared<detail::RemotePeer>(name);
         provides()->setName(name);
     } catch (const CORBA::Exception& error) {
         throw IllegalServer(detail::describe(error));
@@ -146,6 +146,7 @@ void TaskContextProxy::begin(CTaskContext_ptr task) {
     for (const std::string& own : provides()->getNames())
         provides()->remove(own);  // the other component's take their place
     if (!synchronize()) throw IllegalServer("it does not describe its interface");
+    detail::addProxied(remote_);
     watch_ = std::make_unique<detail::Watch>([this] { check(); });
     const std::lock_guard<std::mutex> lock(proxies().mutex);
     proxies().all.insert(this);

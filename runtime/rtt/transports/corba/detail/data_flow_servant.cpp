@@ -17,6 +17,7 @@
 #include <rtt/transports/corba/detail/served_components.hpp>
 #include <rtt/types/TypeInfo.hpp>
 
+#include <memory>
 #include <utility>
 
 namespace RTT::corba::detail {
@@ -134,20 +135,23 @@ CChannelElement_ptr DataFlowServant::buildChannelOutput(const char* input_port, 
         if (!last) throw CInvalidArgument();
     }
     const RemoteChannel::Pointer channel = newChannel(RemoteChannel::End::Reader, input, wanted);
+    const ExpectedChannel::Known expected = ExpectedChannel::of(input, wanted.name_id, isOutOfBand(wanted));
+    channel->whenEnded(expected.ended);
     if (isOutOfBand(wanted)) {
-        channel->whenReady([served = served_, service = service_, name = std::string(input_port), wanted, channel] {
+        channel->whenReady([served = served_, service = service_, name = std::string(input_port), wanted, channel,
+                            id = expected.id] {
             const ServedComponent::Use inside(*served);
             PortInterface* const port = service->getPort(name);
-            const bool isMade = port && port->createStream(wanted);
-            channel->leave();  // the stream needs it no more
+            std::unique_ptr<internal::ConnID> own(id ? id->clone() : new internal::StreamConnID(wanted.name_id));
+            const bool isMade = port && port->asInput() &&
+                                internal::ConnFactory::createStream(*port->asInput(), wanted, std::move(own), channel);
+            if (!isMade) channel->leave();
             return isMade;
         });
         return channel->reference();
     }
     channel->connectTo(last ? last : base::ChannelElementBase::shared_ptr(input.getEndpoint()));
     if (!last) last = channel;
-    const ExpectedChannel::Known expected = ExpectedChannel::of(input);
-    channel->whenEnded(expected.ended);
     channel->whenReady(
         [served = served_, service = service_, name = std::string(input_port), wanted, last, id = expected.id] {
             const ServedComponent::Use inside(*served);

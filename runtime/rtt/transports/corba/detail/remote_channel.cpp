@@ -8,6 +8,7 @@
 #include <rtt/transports/corba/CorbaTypeTransporter.hpp>
 #include <rtt/transports/corba/detail/any_values.hpp>
 #include <rtt/transports/corba/detail/later.hpp>
+#include <rtt/transports/corba/detail/policies.hpp>
 #include <rtt/transports/corba/detail/remote_peer.hpp>
 #include <rtt/types/TypeInfo.hpp>
 #include <rtt/types/TypeOps.hpp>
@@ -72,20 +73,20 @@ RemoteChannel::Pointer RemoteChannel::make(End end, const types::TypeInfo& type,
                    << " do not cross CORBA; import the package of the type" << endlog();
         return nullptr;
     }
-    const Pointer made(new RemoteChannel(end, type, *transporter, policy.pull, std::move(described)));
+    const Pointer made(new RemoteChannel(end, type, *transporter, policy, std::move(described)));
     made->activate();
     return made;
 }
 
-RemoteChannel::RemoteChannel(End end, const types::TypeInfo& type, const CorbaTypeTransporter& transporter, bool pull,
-                             std::string described)
+RemoteChannel::RemoteChannel(End end, const types::TypeInfo& type, const CorbaTypeTransporter& transporter,
+                             const ConnPolicy& policy, std::string described)
     : end_(end),
-      pull_(pull),
+      pull_(policy.pull),
       transporter_(transporter),
       ops_(*type.getOps()),
       described_(std::move(described)),
       sample_(type.buildValue()) {
-    if (end == End::Writer)
+    if (end == End::Writer && !isOutOfBand(policy))
         sender_ = std::make_unique<Sender>(*this, described_.substr(0, described_.find('.')) + "Corba");
 }
 
@@ -145,7 +146,7 @@ void RemoteChannel::whenEnded(LostConnections::Ended ended) {
 
 bool RemoteChannel::signal() {
     if (end_ == End::Reader) return base::ChannelElementBase::signal();
-    return sender_->trigger();
+    return !sender_ || sender_->trigger();
 }
 
 FlowStatus RemoteChannel::readErased(void* sample, bool copyOld) {

@@ -38,6 +38,9 @@ namespace detail {
  *
  * A writer only wakes the thread of its channel, which takes the samples out of the storage and writes them (push), or
  * tells the reader that they are there (pull). So another process that is slow, stopped or gone delays nobody.
+ *
+ * If the samples cross by another transport, the channels stand beyond the elements of that one. They have no thread,
+ * and only see to it that both ends end together.
  */
 class RemoteChannel final : public base::ChannelElementBase {
 public:
@@ -79,8 +82,8 @@ public:
 private:
     class Servant;
     class Sender;
-    RemoteChannel(End end, const types::TypeInfo& type, const CorbaTypeTransporter& transporter, bool pull,
-                  std::string described);
+    RemoteChannel(End end, const types::TypeInfo& type, const CorbaTypeTransporter& transporter,
+                  const ConnPolicy& policy, std::string described);
     void activate();
     void deactivate();
     CRemoteChannelElement_var remote() const;
@@ -102,7 +105,7 @@ private:
     CRemoteChannelElement_var remote_;
     PortableServer::ServantBase* servant_ = nullptr;
     CRemoteChannelElement_var reference_;
-    std::unique_ptr<Activity> sender_;  // of a writer
+    std::unique_ptr<Activity> sender_;  // of a writer whose samples cross here
     std::unique_ptr<Watch> watch_;      // notices the end of the other process while no sample comes or goes
     Ready ready_;
     LostConnections::Ended ended_;

@@ -4,7 +4,9 @@
 
 #include <rtt/Logger.hpp>
 
+#include <algorithm>
 #include <cstring>
+#include <vector>
 
 namespace RTT::corba::detail {
 
@@ -38,7 +40,7 @@ bool isLoss(const CORBA::Exception& error) {
 }  // namespace
 
 void RemotePeer::failed(const CORBA::Exception& error) {
-    if (!isWatched_ || !isLoss(error))
+    if (!isLoss(error))
         log(Error) << "a call of component '" << name_ << "' of another process fails (" << describe(error) << ")"
                    << endlog();
     else if (!lost_.exchange(true))
@@ -56,6 +58,50 @@ std::shared_ptr<RemoteReference> RemotePeer::service(const std::string& path) {
     std::shared_ptr<RemoteReference>& known = services_[path];
     if (!known) known = std::make_shared<RemoteReference>();
     return known;
+}
+
+std::shared_ptr<RemoteReference> RemotePeer::service(CService_ptr reference) const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    for (const auto& [path, one] : services_) {
+        const CService_var known = one->get();
+        if (!CORBA::is_nil(known) && known->_is_equivalent(reference)) return one;
+    }
+    return nullptr;
+}
+
+namespace {
+
+struct Proxied {
+    std::mutex mutex;
+    std::vector<std::weak_ptr<RemotePeer>> all;
+};
+
+Proxied& proxiedPeers() {
+    static auto* const peers = new Proxied();  // never destroyed: threads of the ORB use it
+    return *peers;
+}
+
+}  // namespace
+
+void addProxied(const std::shared_ptr<RemotePeer>& peer) {
+    const std::lock_guard<std::mutex> lock(proxiedPeers().mutex);
+    std::vector<std::weak_ptr<RemotePeer>>& all = proxiedPeers().all;
+    all.erase(std::remove_if(all.begin(), all.end(), [](const auto& one) { return one.expired(); }), all.end());
+    all.push_back(peer);
+}
+
+std::shared_ptr<RemoteReference> proxied(CService_ptr service) {
+    std::vector<std::weak_ptr<RemotePeer>> all;
+    {
+        const std::lock_guard<std::mutex> lock(proxiedPeers().mutex);
+        all = proxiedPeers().all;
+    }
+    for (const auto& one : all) {
+        const std::shared_ptr<RemotePeer> peer = one.lock();
+        const std::shared_ptr<RemoteReference> found = peer ? peer->service(service) : nullptr;
+        if (found) return found;
+    }
+    return nullptr;
 }
 
 }  // namespace RTT::corba::detail

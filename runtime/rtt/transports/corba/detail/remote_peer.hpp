@@ -20,11 +20,11 @@ namespace detail {
 /** A component of another process, as all that stand for its parts know it. Any thread may use it. */
 class RemotePeer {
 public:
-    /** `isWatched`: somebody calls found() when it answers again. */
-    explicit RemotePeer(std::string name, bool isWatched = false) : name_(std::move(name)), isWatched_(isWatched) {}
+    /** A proxy or a LoneService watches the other component, and calls found() when that answers again. */
+    explicit RemotePeer(std::string name) : name_(std::move(name)) {}
 
     const std::string& name() const { return name_; }
-    /** A call failed, which is logged; a watched peer may be lost. */
+    /** A call failed, which is logged. The first one that is not answered, too: from then on the peer is lost. */
     void failed(const CORBA::Exception& error);
     /** It answers again. */
     void found();
@@ -33,14 +33,20 @@ public:
 
     /** By its path, "" for the root, "a.b" for a service of a service. */
     std::shared_ptr<RemoteReference> service(const std::string& path);
+    /** By its present reference; null if it has none. */
+    std::shared_ptr<RemoteReference> service(CService_ptr reference) const;
 
 private:
     const std::string name_;
-    const bool isWatched_;
     std::atomic<bool> lost_{false};
-    std::mutex mutex_;
+    mutable std::mutex mutex_;
     std::map<std::string, std::shared_ptr<RemoteReference>> services_;
 };
+
+/** From now on proxied() finds the services of this component, which a proxy of this process stands for. */
+void addProxied(const std::shared_ptr<RemotePeer>& peer);
+/** A service of one of these components; null if there is none with that reference. */
+std::shared_ptr<RemoteReference> proxied(CService_ptr service);
 
 /** "COMM_FAILURE", with what that means. */
 std::string describe(const CORBA::Exception& error);

@@ -9,7 +9,6 @@
 
 #include <omniORB4/omniORB.h>
 
-#include <memory>
 #include <mutex>
 
 namespace RTT {
@@ -49,13 +48,6 @@ public:
         const std::lock_guard<std::mutex> lock(mutex_);
         current_ = CService::_duplicate(service);
         limited_ = copy;
-    }
-
-    /** One that stays. */
-    static std::shared_ptr<const RemoteReference> of(CService_ptr service) {
-        const auto made = std::make_shared<RemoteReference>();
-        made->set(service);
-        return made;
     }
 
 private:

@@ -5,6 +5,7 @@
 #include <rtt/Logger.hpp>
 #include <rtt/transports/corba/RemotePorts.hpp>
 #include <rtt/transports/corba/detail/any_values.hpp>
+#include <rtt/transports/corba/detail/lone_service.hpp>
 #include <rtt/transports/corba/detail/remote_part.hpp>
 #include <rtt/transports/corba/detail/remote_value.hpp>
 #include <rtt/types/TypeInfo.hpp>
@@ -152,8 +153,8 @@ Service::shared_ptr newRemoteService(CService_ptr reference) {
     const CServiceDescription_var described = reference->getCServiceDescription();
     const std::string name = described->name.in();
     const Service::shared_ptr made = boost::make_shared<Service>(name);
-    const Peer peer = std::make_shared<RemotePeer>(name);
-    addOperations(*made, RemoteReference::of(reference), described.in(), peer);
+    const std::shared_ptr<LoneService> peer = LoneService::of(reference, name);
+    addOperations(*made, peer->reference(), described.in(), peer);
     return made;
 }
 

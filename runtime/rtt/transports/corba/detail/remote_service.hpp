@@ -23,7 +23,8 @@ typedef std::vector<std::unique_ptr<base::PortInterface>> RemotePortList;
     for types that no typekit of this process knows. Throws CORBA::Exception. */
 void fill(Service& service, CService_ptr reference, const CServiceDescription& described,
           const std::shared_ptr<RemotePeer>& peer, RemotePortList& ports, const std::string& path = "");
-/** A service of this process that calls another one; without its ports. Throws CORBA::Exception. */
+/** A service of this process that calls another one; without its ports. What uses it finds that one again, see
+    LoneService. Throws CORBA::Exception. */
 Service::shared_ptr newRemoteService(CService_ptr reference);
 
 }  // namespace detail

@@ -4,6 +4,7 @@
 #define ORO_MQUEUE_DETAIL_SEND_CHANNEL_HPP
 
 #include <rtt/base/ChannelElementBase.hpp>
+#include <rtt/internal/flow/stream_sender.hpp>
 #include <rtt/transports/mqueue/detail/queue.hpp>
 #include <rtt/transports/mqueue/message_format.hpp>
 
@@ -25,7 +26,7 @@ namespace detail {
  * connections of that kind. A queue of such a connection has room for two messages at least, because the first one
  * stays until a receiver takes it.
  */
-class SendChannel final : public base::ChannelElementBase {
+class SendChannel final : public base::ChannelElementBase, public internal::StreamSender {
 public:
     SendChannel(std::unique_ptr<Queue> queue, std::unique_ptr<MessageFormat> format, bool keepsOldest,
                 std::string described);
@@ -36,6 +37,8 @@ public:
     WriteStatus sampleErased(const void* sample, bool reset) override;
     using base::ChannelElementBase::disconnect;
     bool disconnect(shared_ptr const& channel, bool forward) override;
+
+    void withdrawName() override { unlink(); }
 
     bool isRemoteElement() const override { return true; }
     std::string getRemoteURI() const override { return queue_->name(); }

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// Lua files in the deployer: by command line, by scripts, by XML, and only checked.
+#include "../deployer/deployer_program.hpp"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+
+namespace {
+
+using oroforge::test::Outcome;
+using testing::HasSubstr;
+
+class LuaDeployer : public deployer_test::DeployerInDirectory {
+protected:
+    void write(const std::string& name, const std::string& text) const {
+        std::ofstream(directory_.path() / name) << text;
+    }
+    Outcome deploy(const std::vector<std::string>& words) const { return oroforge::test::run(command(words)); }
+    Outcome script(const std::vector<std::string>& words) const {
+        oroforge::test::Command made = command(words);
+        made.program = RTTSCRIPT_PROGRAM;
+        return oroforge::test::run(made);
+    }
+};
+
+const char kScript[] =
+    "local d = rtt.getTC()\n"
+    "assert(d:getName() == 'Deployer')\n"
+    "assert(d:import('ocl'))\n"
+    "assert(d:loadComponent('h', 'OCL::HelloWorld'))\n"
+    "local h = d:getPeer('h')\n"
+    "assert(h:configure() and h:start())\n"
+    "print('state of h: ' .. h:getState())\n";
+
+TEST_F(LuaDeployer, RunsAScript) {
+    write("a.lua", kScript);
+    const Outcome by = script({"a.lua"});
+    EXPECT_EQ(0, by.status) << by.out + by.err;
+    EXPECT_THAT(by.out + by.err, HasSubstr("state of h: Running"));
+    const Outcome option = script({"-s", "a.lua"});
+    EXPECT_EQ(0, option.status) << option.out + option.err;
+}
+
+TEST_F(LuaDeployer, OpsScriptsRunLuaScripts) {
+    write("a.lua", kScript);
+    write("a.ops", "if !runScript(\"a.lua\") then return\nh.stop()\n");
+    const Outcome by = script({"a.ops"});
+    EXPECT_EQ(0, by.status) << by.out + by.err;
+    EXPECT_THAT(by.out + by.err, HasSubstr("state of h: Running"));
+}
+
+TEST_F(LuaDeployer, AFailingScriptIsLocatedAndEndsTheProgram) {
+    write("bad.lua", "local x = 1\nrtt.getTC():getPeer('nobody')\n");
+    const Outcome by = script({"bad.lua"});
+    EXPECT_EQ(255, by.status);
+    EXPECT_THAT(by.out + by.err, HasSubstr("bad.lua:2: "));
+    EXPECT_THAT(by.out + by.err, HasSubstr("'nobody'"));
+}
+
+TEST_F(LuaDeployer, XmlComponentsRunLuaScripts) {
+    write("hooks.lua", "function startHook() print('started by lua') return true end");
+    write("app.xml",
+          "<?xml version=\"1.0\"?>\n<properties>\n"
+          "<simple name=\"Import\" type=\"string\"><value>ocl</value></simple>\n"
+          "<struct name=\"c\" type=\"OCL::LuaComponent\">\n"
+          "<simple name=\"AutoConf\" type=\"boolean\"><value>1</value></simple>\n"
+          "<simple name=\"AutoStart\" type=\"boolean\"><value>1</value></simple>\n"
+          "<struct name=\"Properties\" type=\"PropertyBag\">\n"
+          "<simple name=\"lua_file\" type=\"string\"><value>hooks.lua</value></simple>\n"
+          "</struct>\n</struct>\n"
+          "<struct name=\"h\" type=\"OCL::HelloWorld\">\n"
+          "<simple name=\"RunScript\" type=\"string\"><value>run.lua</value></simple>\n</struct>\n"
+          "</properties>\n");
+    write("run.lua", "print('owner is ' .. rtt.getTC():getName())");
+    const Outcome by = script({"app.xml"});
+    EXPECT_EQ(0, by.status) << by.out + by.err;
+    EXPECT_THAT(by.out + by.err, HasSubstr("started by lua"));
+    EXPECT_THAT(by.out + by.err, HasSubstr("owner is h"));
+    write("run.lua", "x = = 1");
+    const Outcome check = deploy({"--check", "app.xml"});
+    EXPECT_NE(0, check.status);
+    EXPECT_THAT(check.out + check.err, HasSubstr("run.lua:1:"));
+}
+
+TEST_F(LuaDeployer, CheckCompilesAndExecutesNothing) {
+    write("good.lua", "print('executed') error('never')");
+    const Outcome good = deploy({"--check", "good.lua"});
+    EXPECT_EQ(0, good.status) << good.out + good.err;
+    EXPECT_THAT(good.out + good.err, testing::Not(HasSubstr("executed")));
+    write("bad.lua", "x = 1\nend");
+    const Outcome bad = deploy({"--check", "bad.lua"});
+    EXPECT_NE(0, bad.status);
+    EXPECT_THAT(bad.out + bad.err, HasSubstr("bad.lua:2:"));
+}
+
+TEST_F(LuaDeployer, ASignalEndsAnEndlessScript) {
+    write("loop.lua", "print('looping') io.stdout:flush() while true do pcall(function() while true do end end) end");
+    const Outcome by = runUntil("looping", {"-s", "loop.lua"}, SIGTERM);
+    EXPECT_THAT(by.out + by.err, HasSubstr("interrupted"));
+}
+
+}  // namespace
