@@ -39,8 +39,15 @@ class Prompt(LuaCase):
 
     def test_ends_at_ctrl_d(self):
         program = self.open()
+        self.assertFalse(self.is_usual(program))
         program.send(CTRL_D)
         self.assertEqual(0, program.end())
+        self.assertTrue(self.is_usual(program))
+
+    def is_usual(self, program):
+        """Of the terminal: that it edits and echoes lines itself."""
+        usual = termios.ICANON | termios.ECHO | termios.ISIG
+        return termios.tcgetattr(program.terminal)[3] & usual == usual
 
     def test_ends_within_a_statement(self):
         program = self.open()
@@ -81,6 +88,7 @@ class Prompt(LuaCase):
         program.wait(lambda: not termios.tcgetattr(program.terminal)[3] & termios.ICANON, "the mode of the prompt")
         os.kill(program.pid, signal.SIGSEGV)
         self.assertEqual(-signal.SIGSEGV, program.end())
+        self.assertTrue(self.is_usual(program))
 
     def test_stays_below_the_log(self):
         program = self.open()
