@@ -22,9 +22,12 @@ oroforge_component_library(lua
   lua/bind_task.cpp
   lua/bind_variable.cpp
   lua/box.cpp
+  lua/complete.cpp
+  lua/complete_names.cpp
   lua/conversion.cpp
   lua/describe_operation.cpp
   lua/failure.cpp
+  lua/interpreter.cpp
   lua/life.cpp
   lua/memory.cpp
   lua/operation_call.cpp
@@ -47,3 +50,23 @@ oroforge_ocl_service(rttlua-tlsf-plugin lua/lua_tlsf_service.cpp)
 foreach(service rttlua-plugin rttlua-tlsf-plugin)
   target_link_libraries(ocl-${service}-service PRIVATE orocos-ocl-lua $<BUILD_INTERFACE:PkgConfig::LUA>)
 endforeach()
+
+# The programs.
+add_library(oroforge_lua_program OBJECT bin/lua_command_line.cpp bin/lua_program.cpp bin/lua_prompt.cpp bin/lua_session.cpp)
+target_link_libraries(oroforge_lua_program
+  PUBLIC orocos-ocl-lua orocos-ocl-deployment orocos-ocl-taskbrowser PkgConfig::LUA)
+set(programs rttlua rttlua-tlsf)
+if(TARGET orocos-ocl-deployment-corba)
+  list(APPEND programs rttlua-corba)
+endif()
+foreach(program ${programs})
+  string(REPLACE - _ source ${program})
+  oroforge_target_program(${program} bin/${source}.cpp)
+  target_link_libraries(${program} PRIVATE oroforge_lua_program oroforge_deployer_program orocos-ocl-lua)
+  # Besides its own libraries, it needs one of components.
+  set_property(TARGET ${program} APPEND PROPERTY INSTALL_RPATH "$ORIGIN/../lib/orocos/${OROCOS_TARGET}/ocl")
+endforeach()
+target_link_libraries(rttlua-tlsf PRIVATE orocos-ocl-lua-tlsf)
+if(TARGET rttlua-corba)
+  target_link_libraries(rttlua-corba PRIVATE oroforge_corba_program)
+endif()

@@ -22,10 +22,16 @@ constexpr const char* kName = ".tb_history";
 
 }  // namespace
 
+std::string fileNamedBy(const char* variable) {
+    const char* const home = std::getenv("HOME");
+    const char* const given = std::getenv(variable);
+    if (!given) return "";
+    return home && std::strncmp(given, "~/", 2) == 0 ? home + std::string(given + 1) : given;
+}
+
 std::string historyFile() {
     const char* const home = std::getenv("HOME");
-    if (const char* const given = std::getenv("ORO_TB_HISTFILE"))
-        return home && std::strncmp(given, "~/", 2) == 0 ? home + std::string(given + 1) : given;
+    if (std::getenv("ORO_TB_HISTFILE")) return fileNamedBy("ORO_TB_HISTFILE");
     const bool here = access(kName, F_OK) == 0 ? access(kName, W_OK) == 0 : access(".", W_OK) == 0;
     return here || !home ? kName : std::string(home) + "/" + kName;
 }

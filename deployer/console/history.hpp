@@ -12,6 +12,9 @@ namespace OCL::console {
 /** $ORO_TB_HISTFILE, or .tb_history in the current directory or, if that cannot be written, in the home directory. */
 std::string historyFile();
 
+/** What the environment variable names, where "~/" is the home directory; empty if it is not set. */
+std::string fileNamedBy(const char* variable);
+
 /** The lines, oldest first, at most 1000 of them. The file has one per line. */
 class History {
 public:

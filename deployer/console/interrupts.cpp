@@ -18,6 +18,7 @@
 
 #include <poll.h>
 #include <sys/eventfd.h>
+#include <termios.h>
 #include <unistd.h>
 
 namespace OCL::console {
@@ -40,6 +41,13 @@ void notify(int descriptor) {
     const std::uint64_t one = 1;
     while (write(descriptor, &one, sizeof one) < 0 && errno == EINTR) {
     }
+}
+
+/** Shows that Ctrl-C was seen; the terminal may have shown the key itself. */
+void acknowledge() {
+    termios mode = {};
+    if (tcgetattr(STDIN_FILENO, &mode) != 0) return;
+    std::cerr << ((mode.c_lflag & ECHO) ? "" : "^C") << std::endl;
 }
 
 bool wasNotified(int descriptor) {
@@ -153,7 +161,7 @@ void Interrupts::watch() {
             interrupt();
         }
         if (all[2].revents != 0 && command_ && wasNotified(pressed) && !command_->asked()) {
-            std::cerr << "^C" << std::endl;
+            acknowledge();
             interrupt();
         }
         if (tells_ >= 0 && patience() == 0) tell();

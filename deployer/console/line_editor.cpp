@@ -75,7 +75,7 @@ std::size_t widthOfTerminal() {
 }
 
 struct LineEditor::Impl {
-    Impl(History& history, Complete complete, int endsOn);
+    Impl(History& history, Complete complete, int endsOn, Echo echo);
     ~Impl();
 
     static Impl& of(EditLine* edit) {
@@ -121,7 +121,7 @@ struct LineEditor::Impl {
     std::deque<wchar_t> pasted;           // not yet taken
 };
 
-LineEditor::Impl::Impl(History& history, Complete completion, int ends)
+LineEditor::Impl::Impl(History& history, Complete completion, int ends, Echo echo)
     : lines(history),
       complete(std::move(completion)),
       endsOn(ends),
@@ -143,7 +143,7 @@ LineEditor::Impl::Impl(History& history, Complete completion, int ends)
     el_set(edit, EL_HIST, &::history, remembered);
     bindKeys();
     // Also while commands are executed: echoed keys would mix with their output and with the next prompt.
-    el_set(edit, EL_SETTY, "-x", "-echo", nullptr);
+    if (echo == Echo::Lines) el_set(edit, EL_SETTY, "-x", "-echo", nullptr);
 }
 
 LineEditor::Impl::~Impl() {
@@ -330,8 +330,8 @@ unsigned char LineEditor::Impl::completeLine() {
     return CC_NORM;
 }
 
-LineEditor::LineEditor(History& history, Complete complete, int endsOn)
-    : impl_(new Impl(history, std::move(complete), endsOn)) {}
+LineEditor::LineEditor(History& history, Complete complete, int endsOn, Echo echo)
+    : impl_(new Impl(history, std::move(complete), endsOn, echo)) {}
 
 LineEditor::~LineEditor() = default;
 

@@ -21,13 +21,14 @@ std::size_t widthOfTerminal();
 /**
  * Edits lines on standard input and output, with history, search in it (Ctrl-R) and completion (TAB). While a line is
  * typed, Ctrl-C is a key that drops the line; while a command is executed, it is a signal. Keys pressed during a
- * command are not shown and go into the next line. Ends at Ctrl-D and when `endsOn` (−1: none) becomes readable. Only
- * one may exist.
+ * command go into the next line and are not shown before, unless `Echo::Always`. Ends at Ctrl-D and when `endsOn`
+ * (−1: none) becomes readable. Only one may exist.
  */
 class LineEditor final : public LineSource {
 public:
     typedef std::function<Completion(const std::string& line)> Complete;
-    LineEditor(History& history, Complete complete, int endsOn);
+    enum class Echo { Lines, Always };  ///< Always: for commands that read the terminal themselves
+    LineEditor(History& history, Complete complete, int endsOn, Echo echo = Echo::Lines);
     ~LineEditor() override;
 
     /** Reads a line and adds it to the history. The prompt may have colours. */

@@ -192,7 +192,7 @@ void State::makeThread() {
 
 void State::giveBack(lua_State* lua) {
     lua_settop(lua, 0);
-    if (lua_gethookcount(lua) == 1) lua_sethook(lua, &State::onCount, LUA_MASKCOUNT, kInstructions);
+    if (lua_gethookcount(lua) == 1) countTo(lua, kInstructions);
     if (lua == main_)
         mainTaken_ = false;
     else
@@ -200,15 +200,33 @@ void State::giveBack(lua_State* lua) {
     if (depth_ == 1 && !mainTaken_) interrupted_.store(false, std::memory_order_relaxed);
 }
 
-void State::onCount(lua_State* lua, lua_Debug*) { of(lua).look(lua); }
+void State::onCount(lua_State* lua, lua_Debug*) { of(lua).failIfAsked(lua, 0); }
 
-void State::look(lua_State* lua) {
+void State::look(lua_State* lua) { failIfAsked(lua, 1); }
+
+/** The message has the place of the caller at this level of the stack. */
+void State::failIfAsked(lua_State* lua, int level) {
     const RTT::internal::Interruption* const asked = RTT::internal::Interruption::ofThisThread();
     const bool interrupted = interrupted_.load(std::memory_order_relaxed) || (asked && asked->asked());
-    if (!interrupted && !(deadline_ && rtos_get_time_ns() > deadline_)) return;
+    if (!interrupted && !(deadline_ && rtos_get_time_ns() > deadline_)) {
+        if (lua_gethook(lua) == &State::onCount && lua_gethookcount(lua) != kInstructions) countTo(lua, kInstructions);
+        return;
+    }
     // The next instruction fails, too, so that no pcall() around it goes on.
-    lua_sethook(lua, &State::onCount, LUA_MASKCOUNT, 1);
-    luaL_error(lua, interrupted ? "interrupted" : "this takes too long: the time limit has passed");
+    countTo(lua, 1);
+    luaL_where(lua, level);
+    lua_pushstring(lua, interrupted ? "interrupted" : "this takes too long: the time limit has passed");
+    lua_concat(lua, 2);
+    lua_error(lua);
+}
+
+void State::countTo(lua_State* lua, int instructions) {
+    lua_sethook(lua, &State::onCount, LUA_MASKCOUNT, instructions);
+}
+
+void State::end(lua_State* lua) {
+    interrupt();
+    countTo(lua, 1);
 }
 
 /** "file:line" of the innermost Lua code. Allocates nothing. */

@@ -107,6 +107,8 @@ public:
 
     /** Inside: raises an error of Lua if the code that runs was interrupted, or has passed its limit. */
     void look(lua_State* lua);
+    /** Inside: as interrupt(), and no further instruction of this Lua thread is executed. */
+    void end(lua_State* lua);
 
     /** Inside: calls the function below its arguments on the stack. False if it fails; then the message, with a
         traceback if `traced`, is the only value left of them. */
@@ -154,6 +156,8 @@ private:
     lua_State* takeThread();
     void giveBack(lua_State* lua);
     static void onCount(lua_State* lua, lua_Debug* where);
+    void failIfAsked(lua_State* lua, int level);
+    static void countTo(lua_State* lua, int instructions);
 
     RTT::TaskContext& owner_;
     const std::unique_ptr<Memory> memory_;

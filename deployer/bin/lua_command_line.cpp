@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "lua_command_line.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace OCL::deploy {
+
+bool LuaCommandLine::isEmpty() const {
+    const auto executes = [](const Step& step) { return step.kind == Step::Execute; };
+    return !script && !version && std::none_of(steps.begin(), steps.end(), executes);
+}
+
+LuaCommandLine parseLuaCommandLine(std::vector<std::string> words) {
+    LuaCommandLine line;
+    line.words = std::move(words);
+    std::size_t at = 1;
+    for (; at < line.words.size(); ++at) {
+        const std::string& word = line.words[at];
+        if (word.empty() || word[0] != '-' || word == "-") break;
+        if (word == "--") {
+            ++at;
+            break;
+        }
+        if (word == "-i" || word == "-v") {
+            line.version = true;
+            line.interactive = line.interactive || word == "-i";
+        } else if (word[1] == 'e' || word[1] == 'l') {
+            const bool isApart = word.size() == 2;
+            if (isApart && ++at == line.words.size()) {
+                line.error = "option '" + word + "' takes " + (word == "-e" ? "Lua code" : "the name of a module");
+                return line;
+            }
+            line.steps.push_back({word[1] == 'e' ? LuaCommandLine::Step::Execute : LuaCommandLine::Step::Require,
+                                  isApart ? line.words[at] : word.substr(2)});
+        } else {
+            line.error = "there is no option '" + word + "'";
+            return line;
+        }
+    }
+    if (at < line.words.size()) line.script = at;
+    return line;
+}
+
+std::string luaUsage(const std::string& program) {
+    return "usage: " + program +
+           " [options] [script [arguments]]\n"
+           "  -e CODE  executes Lua code\n"
+           "  -l NAME  loads a module, as require(NAME)\n"
+           "  -i       reads what is typed, after the script\n"
+           "  -v       shows versions\n"
+           "  --       ends the options\n"
+           "  -        takes standard input as the script\n"
+           "Without script and options, it reads what is typed, or executes standard input.\n";
+}
+
+}  // namespace OCL::deploy

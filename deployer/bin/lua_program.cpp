@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "lua_program.hpp"
+
+#include "crash_report.hpp"
+#include "lua_session.hpp"
+
+#include <rtt/Logger.hpp>
+#include <rtt/os/SignalCatcher.hpp>
+#include <rtt/os/startstop.h>
+
+#include <algorithm>
+#include <cstring>
+#include <initializer_list>
+#include <iostream>
+#include <optional>
+#include <string>
+
+namespace OCL::deploy {
+namespace {
+
+constexpr int kFailure = 1;  // as of other interpreters
+
+/** Ends what the program has begun beside the components. */
+struct AtEnd {
+    ~AtEnd() {
+        if (end) end();
+    }
+    void (*end)();
+};
+
+/** The command line as Lua and the runtime see it. */
+struct Words {
+    Words(int argc, char** argv, bool splits) {
+        char** const last = argv + argc;
+        char** const split =
+            splits ? std::find_if(argv + 1, last, [](char* word) { return !std::strcmp(word, "--"); }) : last;
+        isSplit = split != last;
+        lua.assign(argv, split);
+        runtime.assign(argv, argv + 1);
+        if (isSplit) runtime.insert(runtime.end(), split + 1, last);
+        runtime.push_back(nullptr);
+    }
+    std::vector<std::string> lua;
+    std::vector<char*> runtime;
+    bool isSplit;
+};
+
+std::unique_ptr<DeploymentComponent> makeDeployer(const LuaProgram& program, Words& words) {
+    std::unique_ptr<DeploymentComponent> made;
+    if (words.isSplit) made = program.makeServer(words.runtime);
+    if (words.isSplit && !made) RTT::log(RTT::Warning) << "other processes cannot use the deployer" << RTT::endlog();
+    if (!made) made = std::make_unique<DeploymentComponent>();
+    return made;
+}
+
+int interpret(const LuaCommandLine& line, const LuaProgram& program, Words& words) {
+    // Catches signals from now on, so that one during start-up ends the program in order, too.
+    std::optional<RTT::os::SignalCatcher> ending;
+    ending.emplace(std::initializer_list<int>{SIGINT, SIGTERM, SIGHUP});
+    const AtEnd atEnd{program.end};
+    // Outlives the components that the deployer has loaded, which may call it.
+    const LuaOwner owner = program.makeLua();
+    const std::unique_ptr<DeploymentComponent> deployer = makeDeployer(program, words);
+    owner.component->connectPeers(deployer.get());
+    const int status = runLuaSession(line, program.name, *owner.state, ending->descriptor());
+    ending.reset();  // so that the next signal ends a shutdown that hangs
+    deployer->shutdownDeployment();
+    return status;
+}
+
+int runWithRuntime(const LuaCommandLine& line, const LuaProgram& program, Words& words) {
+    if (__os_init(static_cast<int>(words.runtime.size()) - 1, words.runtime.data()) != 0) {
+        std::cerr << program.name << ": the runtime does not start\n";
+        return kFailure;
+    }
+    reportCrashes();
+    int status = kFailure;
+    try {
+        status = interpret(line, program, words);
+    } catch (const std::exception& thrown) {
+        RTT::log(RTT::Critical) << "uncaught exception: " << thrown.what() << RTT::endlog();
+    }
+    __os_exit();
+    return status;
+}
+
+}  // namespace
+
+int runLuaProgram(int argc, char** argv, const LuaProgram& program) {
+    Words words(argc, argv, program.makeServer != nullptr);
+    const LuaCommandLine line = parseLuaCommandLine(words.lua);
+    if (line.error.empty()) return runWithRuntime(line, program, words);
+    std::cerr << program.name << ": " << line.error << '\n' << luaUsage(program.name);
+    return kFailure;
+}
+
+}  // namespace OCL::deploy

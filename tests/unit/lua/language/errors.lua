@@ -1,0 +1,21 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Copyright Oroforge contributors
+print(pcall(error, "text"))
+print(pcall(error, "text", 0))
+print(pcall(function() error("here") end))
+local function low() error("below", 2) end
+print(pcall(function() low() end))
+print(pcall(error, nil))
+print(select(2, pcall(error, {code = 3})).code)
+print(pcall(function() local x = nil; return x.y end))
+print(pcall(function() return undefined.field end))
+print(pcall(function() return {} + 1 end))
+print(pcall(function() return 1 < "2" end))
+print(pcall(function() return #5 end))
+print(pcall(function() return "a" .. {} end))
+print(pcall(function() undefined() end))
+print(pcall(string.rep))
+print(pcall(function() ("x"):bad() end))
+print(pcall(assert, false), pcall(assert, nil, "message"), pcall(assert, 1, 2))
+print(xpcall(function() error("inner") end, function(m) return "handled: " .. m end))
+print(xpcall(function() error("inner") end, function() error("again") end))
