@@ -26,11 +26,11 @@ const Note kGrows = frame("'void std::vector<double>::_M_realloc_insert()' (/a/l
                           "/usr/include/c++/12/bits/vector.tcc", 453);
 
 RealTimeFinding allocation(std::vector<Note> frames) {
-    return {"average", "updateHook()", "allocates memory", "RTC001", "malloc", 4, std::move(frames)};
+    return {"average", "updateHook()", "allocates memory", "RTC001", "malloc", 4, std::move(frames), {}};
 }
 
 RealTimeFinding release(std::vector<Note> frames) {
-    return {"average", "updateHook()", "frees memory", "RTC002", "free", 1, std::move(frames)};
+    return {"average", "updateHook()", "frees memory", "RTC002", "free", 1, std::move(frames), {}};
 }
 
 TEST(RtCheckArranged, StandsAtTheLineOfTheUser) {
