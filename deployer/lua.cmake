@@ -26,6 +26,7 @@ oroforge_component_library(lua
   lua/describe_operation.cpp
   lua/failure.cpp
   lua/life.cpp
+  lua/member_access.cpp
   lua/memory.cpp
   lua/operation_call.cpp
   lua/operation_lookup.cpp

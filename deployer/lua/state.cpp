@@ -113,6 +113,15 @@ void State::exit() {
     for (const auto& destroy : unused) destroy();
 }
 
+void State::makeRoom() {
+    // They are destroyed when the outermost entry ends, which a program's may never do.
+    constexpr std::size_t kMany = 100;
+    if (owned_->unused() < kMany) return;
+    const std::vector<std::function<void()>> unused = owned_->takeUnused();
+    const Leave leave(*this);
+    for (const auto& destroy : unused) destroy();
+}
+
 State::Entry::Entry(State& state) : state_(state) {
     if (nesting == kDeepest) throw Failure("Lua and C++ call each other too deeply");
     ++nesting;

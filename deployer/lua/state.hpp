@@ -118,6 +118,9 @@ public:
     /** The engine for which operations are called. */
     RTT::ExecutionEngine* caller() const;
     OwnedThings& owned() { return *owned_; }
+    /** Inside, before Lua code makes a port, property or attribute: destroys those that it no longer uses, if they are
+        many. Leaves for that. */
+    void makeRoom();
     /** Inside: a hook that goes on when no Lua code knows it any more. The state's end disables it. */
     void keep(std::shared_ptr<EngineHook> hook);
     Memory& memory() { return *memory_; }
