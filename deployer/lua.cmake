@@ -48,3 +48,32 @@ oroforge_ocl_service(rttlua-tlsf-plugin lua/lua_tlsf_service.cpp)
 foreach(service rttlua-plugin rttlua-tlsf-plugin)
   target_link_libraries(ocl-${service}-service PRIVATE orocos-ocl-lua $<BUILD_INTERFACE:PkgConfig::LUA>)
 endforeach()
+
+# The Lua modules, where an installed library and one of this build look for them (lua/search_paths.cpp).
+set(modules
+  ansicolors.lua
+  rfsm_rtt.lua
+  rttlib.lua
+  rttlib/components.lua
+  rttlib/describe.lua
+  rttlib/documented.lua
+  rttlib/extend.lua
+  rttlib/help.lua
+  rttlib/interface.lua
+  rttlib/overview.lua
+  rttlib/paint.lua
+  rttlib/values.lua
+  rttros.lua
+  utils.lua)
+set(copies)
+foreach(module ${modules})
+  set(copy ${PROJECT_BINARY_DIR}/share/lua/5.1/${module})
+  add_custom_command(OUTPUT ${copy}
+    COMMAND ${CMAKE_COMMAND} -E copy ${CMAKE_CURRENT_SOURCE_DIR}/lua/modules/${module} ${copy}
+    DEPENDS lua/modules/${module} VERBATIM)
+  list(APPEND copies ${copy})
+  get_filename_component(folder ${module} DIRECTORY)
+  install(FILES lua/modules/${module} DESTINATION share/lua/5.1/${folder} COMPONENT runtime)
+endforeach()
+add_custom_target(lua-modules ALL DEPENDS ${copies})
+add_dependencies(orocos-ocl-lua lua-modules)

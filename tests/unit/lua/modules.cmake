@@ -8,4 +8,4 @@ oroforge_add_test(lua_scripts_test
   DEFINITIONS LUA_SCRIPTS="${CMAKE_CURRENT_SOURCE_DIR}/scripts" OCL_TEST_PATH="${PROJECT_BINARY_DIR}/lib/orocos"
   ENVIRONMENT ORO_LOGFILE=/dev/null
   DEPENDS orocos-ocl-lua orocos-ocl-lua-tlsf ocl-rttlua-plugin-service ocl-rttlua-tlsf-plugin-service ocl-print-service
-    orocos-ocl-helloworld rtt-typekit rtt-scripting rtt-marshalling)
+    orocos-ocl-helloworld lua-modules rtt-typekit rtt-scripting rtt-marshalling)
