@@ -24,10 +24,10 @@ function components.mappeers(func, start)
       at = at + 1
       results[#results + 1] = func(tc)
       for _, name in ipairs(rtt.TaskContext.getPeers(tc)) do
-         -- A peer of another name may be one that was seen.
-         local peer = rtt.TaskContext.getPeer(tc, name)
-         local own = rtt.TaskContext.getName(peer)
-         if not seen[own] then
+         -- A peer of another name may be one that was seen; one that was just destroyed is none.
+         local known, peer = pcall(rtt.TaskContext.getPeer, tc, name)
+         local own = known and rtt.TaskContext.getName(peer)
+         if own and not seen[own] then
             seen[own] = true
             waiting[#waiting + 1] = peer
          end

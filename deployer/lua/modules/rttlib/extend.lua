@@ -2,14 +2,6 @@
 -- Copyright Oroforge contributors
 -- What rttlib adds to the types of the module `rtt`.
 
--- rtt.Variable("int") makes one, as rtt.Variable.new("int") does.
-local function makeCallable()
-   for _, kind in ipairs({ "Variable", "Property", "Attribute", "InputPort", "OutputPort", "EEHook" }) do
-      local methods = rtt[kind]
-      setmetatable(methods, { __call = function(_, ...) return methods.new(...) end })
-   end
-end
-
 -- rtt.globals.X is the global attribute or property X, nil if there is none.
 local function makeGlobals()
    rtt.globals = setmetatable({}, {
@@ -41,7 +33,6 @@ local function makeTexts(rttlib)
 end
 
 return function(rttlib)
-   makeCallable()
    makeGlobals()
    makeTexts(rttlib)
    rtt.operations_first()

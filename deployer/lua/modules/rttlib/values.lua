@@ -17,6 +17,7 @@ end
 
 -- Sequences have no members but their size; the capacity is of those that grow.
 local function isSequence(var, names)
+   if var:getTypeName() == "rt_string" then return false end
    for _, name in ipairs(names) do
       if name ~= "size" and name ~= "capacity" then return false end
    end
@@ -37,7 +38,7 @@ function toTable(var)
    if var:isbasic() then return var:tolua() end
    local names = var:getMemberNames()
    if isSequence(var, names) then return elements(var) end
-   if #names == 0 then
+   if #names == 0 or var:getTypeName() == "rt_string" then
       if var:getTypeName() == "PropertyBag" then return {} end
       -- Enumerations and texts have a form to read; of other types there is nothing to see but "(type)".
       local text = var:toString()

@@ -29,8 +29,10 @@ for _, level in ipairs({ "Never", "Fatal", "Critical", "Error", "Warning", "Info
 end
 check.fails("no log level 'Loud'", rtt.setLogLevel, "Loud")
 rtt.setLogLevel(before)
+rtt.setLogLevel("Info")
 rtt.log("a line of ", 3, " parts")
 rtt.logl("Warning", "a warning ", 4)
+rtt.setLogLevel(before)
 check.fails("no log level", rtt.logl, "Loud", "x")
 check.fails("string", rtt.logl, "Error", {})
 check.fails("string", rtt.log, nil)

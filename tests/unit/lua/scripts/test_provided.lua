@@ -22,6 +22,8 @@ local whole, rest = V("int"), V("double")
 check.equal(1, of.getOperation(tc, "split")(2.5, whole, rest))
 check.equal({ 2, 0.5 }, { whole:tolua(), rest:tolua() })
 
+tc:addOperation("long", "long(int32 a, const std::string& b)", function(a, b) return a + #b end)
+check.equal(5, of.getOperation(tc, "long")(2, "abc"))
 tc:addOperation("nothing", "void()", function() end)
 check.equal(nil, of.getOperation(tc, "nothing")())
 tc:addOperation("bad", "int()", function() return "text" end)

@@ -7,6 +7,7 @@ local V = rtt.Variable.new
 local ranges = {
    int8 = { -128, 127 }, uint8 = { 0, 255 }, int16 = { -32768, 32767 }, uint16 = { 0, 65535 },
    int = { -2 ^ 31, 2 ^ 31 - 1 }, uint = { 0, 2 ^ 32 - 1 }, int64 = { -2 ^ 53, 2 ^ 53 }, uint64 = { 0, 2 ^ 53 },
+   int32 = { -2 ^ 31, 2 ^ 31 - 1 }, uint32 = { 0, 2 ^ 32 - 1 }, long = { -2 ^ 53, 2 ^ 53 }, ulong = { 0, 2 ^ 53 },
    llong = { -2 ^ 53, 2 ^ 53 }, ullong = { 0, 2 ^ 53 },
 }
 for type, range in pairs(ranges) do
@@ -45,6 +46,10 @@ check.equal("text", V("string", "text"):tolua())
 check.equal("a\0b", V("string", "a\0b"):tolua())
 check.fails("cannot make a string", V, "string", 1)
 
+check.equal("abc", V("rt_string", "abc"):toString())
+
+check.equal(4, rtt.Variable("int", 4):tolua())
+check.fails("test_variables.lua:", function() local made = rtt.Variable("no_such_type") return made end)
 check.fails("no typekit", V, "no_such_type")
 check.fails("void", V, "void")
 check.fails("string", V)
