@@ -13,6 +13,6 @@ oroforge_add_test(lua_scripts_test
   INCLUDES ${PROJECT_SOURCE_DIR}/tests/unit
   DEFINITIONS LUA_SCRIPTS="${CMAKE_CURRENT_SOURCE_DIR}/scripts" OCL_TEST_PATH="${PROJECT_BINARY_DIR}/lib/orocos"
     LUA_SANITIZED=${sanitized}
-  ENVIRONMENT ORO_LOGFILE=/dev/null
+  TIMEOUT 180 ENVIRONMENT ORO_LOGFILE=/dev/null
   DEPENDS orocos-ocl-lua orocos-ocl-lua-tlsf ocl-rttlua-plugin-service ocl-rttlua-tlsf-plugin-service ocl-print-service
     orocos-ocl-helloworld lua-modules rtt-typekit rtt-scripting rtt-marshalling)
