@@ -56,8 +56,8 @@ function rfsm_rtt.gen_raise_event(port, fsm)
    end
 end
 
---- A function for rfsm.post_step_hook_add(): when another state is active, it writes that state's full name to a port of
--- type string. With `filter`, a pattern or a function, only names that it matches or gives something for; a function's
+--- A function for rfsm.post_step_hook_add(): when another state is active, it writes that state's full name to a port
+-- of type string. With `filter`, a pattern or a function, only names that it matches or gives something for; a function's
 -- text is written in place of the name.
 function rfsm_rtt.gen_write_fqn(port, filter)
    if rttlib.rtt_type(port) ~= "OutputPort" or port:info().type ~= "string" then
@@ -97,8 +97,8 @@ rfsm_hook = rtt.EEHook("rfsm_in_engine")
 if not rfsm_hook:enable() then error("the engine takes no function") end
 ]]
 
---- Has a component execute the state machine in a file by its service Lua, which is loaded if it has none; the machine is
--- the global `fsm` there. With `ee` each step of the component's engine runs it; otherwise it runs once, until it is
+--- Has a component execute the state machine in a file by its service Lua, which is loaded if it has none; the machine
+-- is the global `fsm` there. With `ee` each step of the component's engine runs it; otherwise it runs once, until it is
 -- idle. An error if that fails.
 function rfsm_rtt.service_launch_rfsm(file, tc, ee)
    local of = rtt.TaskContext

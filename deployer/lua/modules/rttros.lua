@@ -14,7 +14,7 @@ end
 local function importRospack()
    local deployer = rttlib.findpeer("Deployer") or rttlib.findpeer("deployer")
    if not deployer then return false, "there is no deployer to import rtt_rospack" end
-   if not rtt.TaskContext.hasOperation(deployer, "import") then return false, "the deployer cannot import rtt_rospack" end
+   if not rtt.TaskContext.hasOperation(deployer, "import") then return false, "the deployer cannot import" end
    return rtt.TaskContext.getOperation(deployer, "import")("rtt_rospack"), "rtt_rospack cannot be imported; see the log"
 end
 

@@ -180,8 +180,12 @@ function utils.foldr(func, start, list)
 end
 
 --- True if `func` is true for all values, or for one.
-function utils.andt(func, list) return utils.foldr(function(so, one) return so and func(one) and true or false end, true, list) end
-function utils.ort(func, list) return utils.foldr(function(so, one) return so or func(one) and true or false end, false, list) end
+function utils.andt(func, list)
+   return utils.foldr(function(so, one) return so and func(one) and true or false end, true, list)
+end
+function utils.ort(func, list)
+   return utils.foldr(function(so, one) return so or func(one) and true or false end, false, list)
+end
 
 --- A list of the elements of all lists given; what is no list counts as one element.
 function utils.append(...)
@@ -231,7 +235,7 @@ function utils.file_exists(path)
    return file ~= nil
 end
 
---- Options of a program: { "x", "-o", "a", "b", "--all" } gives { [0] = { "x" }, ["-o"] = { "a", "b" }, ["--all"] = {} }.
+--- Options of a program: { "x", "-o", "a", "b", "-v" } gives { [0] = { "x" }, ["-o"] = { "a", "b" }, ["-v"] = {} }.
 -- Numbers such as -1 are no options.
 function utils.proc_args(arguments)
    local made = { [0] = {} }

@@ -13,8 +13,8 @@ local function ask(tc, operation)
    if answered then return value end
 end
 
---- Calls `func(component)` for a component, its peers, their peers …, each once. The results that are not nil, as list.
--- Without `start` that is the component of this code.
+--- Calls `func(component)` for a component, its peers, their peers …, each once. Gives a list of the results that are
+-- not nil. Without `start` that is the component of this code.
 function components.mappeers(func, start)
    local results, seen, waiting = {}, {}, { start or rtt.getTC() }
    seen[rtt.TaskContext.getName(waiting[1])] = true
