@@ -57,8 +57,8 @@ function rfsm_rtt.gen_raise_event(port, fsm)
 end
 
 --- A function for rfsm.post_step_hook_add(): when another state is active, it writes that state's full name to a port
--- of type string. With `filter`, a pattern or a function, only names that it matches or gives something for; a function's
--- text is written in place of the name.
+-- of type string. With `filter`, a pattern or a function, only names that it matches or gives something for; the text
+-- that a function gives is written in place of the name.
 function rfsm_rtt.gen_write_fqn(port, filter)
    if rttlib.rtt_type(port) ~= "OutputPort" or port:info().type ~= "string" then
       error("gen_write_fqn: this takes an OutputPort of type string", 2)

@@ -36,9 +36,11 @@ end
 check.no(text:find("Service inner"), "a service")
 check.has("Service inner", rttlib.tc2str(zoo, true))
 check.has("Requester helper", rttlib.tc2str(zoo, true))
-check.equal(text, tostring(zoo))
-check.equal(text, check.printed(rttlib.pptc, zoo))
-check.equal(text, check.printed(function() zoo:show() end))
+-- Its thread may be counting.
+local function still(counted) return (counted:gsub("Counter %(uint%) = %d+", "Counter")) end
+check.equal(still(text), still(tostring(zoo)))
+check.equal(still(text), still(check.printed(rttlib.pptc, zoo)))
+check.equal(still(text), still(check.printed(function() zoo:show() end)))
 check.has("Peers: ", rttlib.tc2str(tc))
 
 -- Values of ports.
