@@ -29,6 +29,7 @@ oroforge_component_library(lua
   lua/failure.cpp
   lua/interpreter.cpp
   lua/life.cpp
+  lua/member_access.cpp
   lua/memory.cpp
   lua/operation_call.cpp
   lua/operation_lookup.cpp
@@ -70,3 +71,32 @@ target_link_libraries(rttlua-tlsf PRIVATE orocos-ocl-lua-tlsf)
 if(TARGET rttlua-corba)
   target_link_libraries(rttlua-corba PRIVATE oroforge_corba_program)
 endif()
+
+# The Lua modules, where an installed library and one of this build look for them (lua/search_paths.cpp).
+set(modules
+  ansicolors.lua
+  rfsm_rtt.lua
+  rttlib.lua
+  rttlib/components.lua
+  rttlib/describe.lua
+  rttlib/documented.lua
+  rttlib/extend.lua
+  rttlib/help.lua
+  rttlib/interface.lua
+  rttlib/overview.lua
+  rttlib/paint.lua
+  rttlib/values.lua
+  rttros.lua
+  utils.lua)
+set(copies)
+foreach(module ${modules})
+  set(copy ${PROJECT_BINARY_DIR}/share/lua/5.1/${module})
+  add_custom_command(OUTPUT ${copy}
+    COMMAND ${CMAKE_COMMAND} -E copy ${CMAKE_CURRENT_SOURCE_DIR}/lua/modules/${module} ${copy}
+    DEPENDS lua/modules/${module} VERBATIM)
+  list(APPEND copies ${copy})
+  get_filename_component(folder ${module} DIRECTORY)
+  install(FILES lua/modules/${module} DESTINATION share/lua/5.1/${folder} COMPONENT runtime)
+endforeach()
+add_custom_target(lua-modules ALL DEPENDS ${copies})
+add_dependencies(orocos-ocl-lua lua-modules)

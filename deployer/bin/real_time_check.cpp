@@ -231,6 +231,7 @@ std::string startRealTimeCheck(char** words) {
         return "--rt-check: the system did not load '" + libraryFile() +
                "' before the program, as it refuses for programs with capabilities or another user's rights; run "
                "without these, as root, or with a limit for real-time priorities instead";
+    RTT::internal::ScriptPlace::wantExact();
     describeScripts(&RTT::internal::ScriptPlace::describe);
     HookInProgress::setWatch(&kWatch);
     return {};

@@ -4,6 +4,8 @@
 
 #include "conversion.hpp"
 
+#include <rtt/types/SequenceOps.hpp>
+
 namespace OCL::lua {
 
 using RTT::base::DataSourceBase;
@@ -21,10 +23,15 @@ void assignPart(lua_State* lua, DataSourceBase& whole, const std::string& name) 
     }
 }
 
-void assignElements(lua_State* lua, int index, DataSourceBase& target) {
+bool hasRoom(DataSourceBase& target, const RTT::types::SequenceOps& elements, std::size_t size) {
+    const void* const container = target.evaluate() ? target.getRawConstPointer() : nullptr;
+    return container && size <= elements.size(container);
+}
+
+void assignElements(lua_State* lua, int index, DataSourceBase& target, const RTT::types::SequenceOps& elements) {
     const int size = static_cast<int>(lua_objlen(lua, index));
     // What cannot be resized, such as an array, takes what it has room for.
-    if (!target.getTypeInfo()->resize(&target, size) && size != 0 && !target.getMember(std::to_string(size - 1)))
+    if (!target.getTypeInfo()->resize(&target, size) && !hasRoom(target, elements, static_cast<std::size_t>(size)))
         throw Failure("type " + target.getTypeName() + " has no room for " + std::to_string(size) + " elements");
     for (int i = 0; i != size; ++i) {
         lua_rawgeti(lua, index, i + 1);
@@ -38,7 +45,7 @@ void assignElements(lua_State* lua, int index, DataSourceBase& target) {
 void assignTable(lua_State* lua, int index, DataSourceBase& target, const RTT::types::Shape& shape) {
     if (index < 0) index = lua_gettop(lua) + index + 1;
     luaL_checkstack(lua, 8, "the table is nested too deeply");
-    if (shape.kind == RTT::types::Shape::Kind::Sequence) return assignElements(lua, index, target);
+    if (shape.kind == RTT::types::Shape::Kind::Sequence) return assignElements(lua, index, target, *shape.elements);
     lua_pushnil(lua);
     while (lua_next(lua, index) != 0) {
         // A number as key is an index from 1; lua_tostring() on the key itself would confuse lua_next().

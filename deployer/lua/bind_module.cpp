@@ -148,6 +148,22 @@ int logAt(lua_State* lua) {
     return 0;
 }
 
+/** rtt.Variable("int") is rtt.Variable.new("int"). In C++, so that errors name the line of the script. */
+int callNew(lua_State* lua) {
+    lua_remove(lua, 1);
+    return lua_tocfunction(lua, lua_upvalueindex(1))(lua);
+}
+
+/** Makes the table of methods on top callable, if it has `new`. */
+void makeCallable(lua_State* lua) {
+    lua_newtable(lua);
+    lua_getfield(lua, -2, "new");
+    if (lua_isnil(lua, -1)) return lua_pop(lua, 2);
+    lua_pushcclosure(lua, &callNew, 1);
+    lua_setfield(lua, -2, "__call");
+    lua_setmetatable(lua, -2);
+}
+
 const luaL_Reg kFunctions[] = {{"getTime", &guarded<&getTime>},
                                {"sleep", &guarded<&sleep>},
                                {"getTC", &guarded<&getTC>},
@@ -186,6 +202,7 @@ void openModule(lua_State* lua) {
                  {"EEHook", &bindHook}};
     for (const auto& kind : kinds) {
         kind.bind(lua);
+        makeCallable(lua);
         lua_setfield(lua, -2, kind.name);
     }
     lua_pop(lua, 1);

@@ -173,6 +173,7 @@ template <class Box, class Port>
 int make(lua_State* lua, Port* (RTT::types::TypeInfo::*build)(const std::string&) const) {
     const RTT::types::TypeInfo& type = typeNamed(textAt(lua, 1));
     const std::string name = textAt(lua, 2, ""), description = textAt(lua, 3, "");
+    State::of(lua).makeRoom();
     std::unique_ptr<Port> made((type.*build)(name));
     if (!made) throw Failure("type '" + type.getTypeName() + "' has no ports");
     if (!description.empty()) made->doc(description);

@@ -4,9 +4,10 @@
 #include "bindings.hpp"
 #include "box.hpp"
 #include "conversion.hpp"
+#include "member_access.hpp"
+#include "owned_things.hpp"
 #include "state.hpp"
 #include "things.hpp"
-#include "owned_things.hpp"
 #include "values.hpp"
 
 #include <rtt/PropertyBag.hpp>
@@ -73,10 +74,23 @@ int set(lua_State* lua) {
     return 0;
 }
 
+/** A component has a copy of an attribute that it was given. */
+bool removeGiven(OwnedThings& owned, const Attribute& attribute) {
+    const RTT::Service::shared_ptr home = attribute.home.lock();
+    return home && owned.takeGiven(attribute.thing) && home->removeAttribute(attribute.name);
+}
+
+bool removeGiven(OwnedThings&, const Property&) { return false; }
+
 template <class Box>
 int remove(lua_State* lua) {
     Box& box = self<Box>(lua);
-    const auto destroy = State::of(lua).owned().take(box.thing);
+    OwnedThings& owned = State::of(lua).owned();
+    if (removeGiven(owned, box)) {
+        destroyBox<Box>(lua, 1);
+        return 0;
+    }
+    const auto destroy = owned.take(box.thing);
     if (!destroy)
         throw Failure(std::string("this ") + Box::kName + " belongs to its component, which alone can delete it");
     destroy();
@@ -115,6 +129,7 @@ int attributeInfo(lua_State* lua) {
 int makeProperty(lua_State* lua) {
     const RTT::types::TypeInfo& type = typeNamed(textAt(lua, 1));
     const std::string name = textAt(lua, 2, ""), description = textAt(lua, 3, "");
+    State::of(lua).makeRoom();
     std::unique_ptr<PropertyBase> made(type.buildProperty(name, description));
     if (!made) throw Failure("type '" + type.getTypeName() + "' has no properties");
     PropertyBase* const plain = made.release();
@@ -124,23 +139,12 @@ int makeProperty(lua_State* lua) {
 
 int makeAttribute(lua_State* lua) {
     const RTT::types::TypeInfo& type = typeNamed(textAt(lua, 1));
+    State::of(lua).makeRoom();
     std::unique_ptr<AttributeBase> made(type.buildAttribute(textAt(lua, 2, "")));
     if (!made) throw Failure("type '" + type.getTypeName() + "' has no attributes");
     AttributeBase* const plain = made.release();
     pushBox<Attribute>(lua, Held<AttributeBase>{plain, Life(), {}, "", State::of(lua).owned().add(plain)});
     return 1;
-}
-
-/** The part of the value that the key at index 2 names: a member, or an element counted from 0. */
-Source partAt(lua_State* lua, const Source& whole) {
-    if (lua_type(lua, 2) == LUA_TNUMBER) {
-        const Source id(new RTT::internal::ConstantDataSource<int>(static_cast<int>(lua_tonumber(lua, 2))));
-        if (Source part = whole->getMember(id)) return part;
-    } else if (Source part = whole->getMember(textAt(lua, 2))) {
-        return part;
-    }
-    lua_pushvalue(lua, 2);
-    throw Failure("type " + whole->getTypeName() + " has no member '" + textAt(lua, -1) + "'");
 }
 
 template <class Box>
@@ -149,13 +153,13 @@ int index(lua_State* lua) {
     lua_rawget(lua, lua_upvalueindex(1));
     if (!lua_isnil(lua, -1)) return 1;
     const Box& box = self<Box>(lua);
-    pushValue(lua, partAt(lua, valueOf(box)), box.life);
+    pushValue(lua, memberAt(lua, 2, valueOf(box)), box.life);
     return 1;
 }
 
 template <class Box>
 int setIndex(lua_State* lua) {
-    assign(lua, 3, *partAt(lua, valueOf(self<Box>(lua))));
+    assign(lua, 3, *memberAt(lua, 2, valueOf(self<Box>(lua))));
     return 0;
 }
 
@@ -164,7 +168,9 @@ int describe(lua_State* lua) {
     const Box& box = self<Box>(lua);
     const Source value = box.thing->getDataSource();
     if (value) (void)value->evaluate();
-    pushText(lua, box.thing->getName() + " (" + typeOf(value) + ") = " + (value ? value->toString() : "nothing"));
+    std::string text = box.thing->getName() + " (" + typeOf(value) + ") = " + (value ? value->toString() : "nothing");
+    if constexpr (std::is_same_v<Box, Property>) text += " // " + box.thing->getDescription();
+    pushText(lua, text);
     return 1;
 }
 

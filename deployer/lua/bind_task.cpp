@@ -185,12 +185,14 @@ int addAttribute(lua_State* lua) {
     if (!component.addAttribute(*box.thing))
         throw Failure("component '" + component.getName() + "' has no room for attribute '" + box.thing->getName() +
                       "': it needs a name of its own");
+    State::of(lua).owned().give(component.provides()->getValues().back());
     return 0;
 }
 
 int removeAttribute(lua_State* lua) {
     TaskContext& component = self(lua);
     const std::string wanted = textAt(lua, 2);
+    (void)State::of(lua).owned().takeGiven(component.provides()->getValue(wanted));
     if (!component.attributes()->removeAttribute(wanted))
         throw Failure("component '" + component.getName() + "' has no attribute '" + wanted + "'");
     return 0;

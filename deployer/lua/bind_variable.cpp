@@ -3,6 +3,7 @@
 #include "bindings.hpp"
 #include "box.hpp"
 #include "conversion.hpp"
+#include "member_access.hpp"
 #include "state.hpp"
 #include "things.hpp"
 #include "values.hpp"
@@ -78,33 +79,15 @@ int memberNames(lua_State* lua) {
     return 1;
 }
 
-/** The member that the key at index 2 names; sequences count from 0. Null if there is none. */
-Source memberAt(lua_State* lua, const Variable& of) {
-    if (lua_type(lua, 2) == LUA_TNUMBER) {
-        const lua_Number index = lua_tonumber(lua, 2);
-        if (!(index >= 0 && index < 2147483648.0)) return nullptr;
-        const Source id(new RTT::internal::ConstantDataSource<int>(static_cast<int>(index)));
-        return of.source->getMember(id);
-    }
-    return of.source->getMember(textAt(lua, 2));
-}
-
-Source memberOrFail(lua_State* lua, const Variable& of) {
-    Source member = memberAt(lua, of);
-    if (member) return member;
-    lua_pushvalue(lua, 2);
-    throw Failure("type " + of.source->getTypeName() + " has no member '" + textAt(lua, -1) + "'");
-}
-
 int member(lua_State* lua) {
     const Variable& variable = self(lua);
-    pushValue(lua, memberOrFail(lua, variable), variable.life);
+    pushValue(lua, memberAt(lua, 2, variable.source), variable.life);
     return 1;
 }
 
 int rawMember(lua_State* lua) {
     const Variable& variable = self(lua);
-    pushBox<Variable>(lua, memberOrFail(lua, variable), variable.life);
+    pushBox<Variable>(lua, memberAt(lua, 2, variable.source), variable.life);
     return 1;
 }
 
@@ -119,7 +102,7 @@ int index(lua_State* lua) {
 }
 
 int setMember(lua_State* lua) {
-    assign(lua, 3, *memberOrFail(lua, self(lua)));
+    assign(lua, 3, *memberAt(lua, 2, self(lua).source));
     return 0;
 }
 

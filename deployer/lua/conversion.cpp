@@ -7,6 +7,7 @@
 #include <rtt/FlowStatus.hpp>
 #include <rtt/SendStatus.hpp>
 #include <rtt/internal/DataSources.hpp>
+#include <rtt/types/SequenceOps.hpp>
 #include <rtt/types/StructTable.hpp>
 #include <rtt/types/TypeInfoRepository.hpp>
 #include <rtt/types/TypeOps.hpp>
@@ -89,11 +90,26 @@ bool writeNumber(Shape::Number kind, DataSourceBase& target, lua_Number number) 
 }
 
 template <class Status>
+std::string nameOf(Status status) {
+    std::ostringstream text;
+    text << status;
+    return text.str();
+}
+
+/** False if the type is another one, or has no value of that name. */
+template <class Status>
+bool writeStatus(const RTT::types::TypeInfo& type, DataSourceBase& target, const std::string& name,
+                 std::initializer_list<Status> all) {
+    if (!isA(type, typeid(Status))) return false;
+    for (const Status one : all)
+        if (nameOf(one) == name) return target.assignValue(&one);
+    return false;
+}
+
+template <class Status>
 bool pushStatus(lua_State* lua, const RTT::types::TypeInfo& type, const void* value) {
     if (!isA(type, typeid(Status))) return false;
-    std::ostringstream text;
-    text << *static_cast<const Status*>(value);
-    lua_pushstring(lua, text.str().c_str());
+    lua_pushstring(lua, nameOf(*static_cast<const Status*>(value)).c_str());
     return true;
 }
 
@@ -116,6 +132,12 @@ Conversion::Conversion(const RTT::types::TypeInfo* type) : type_(type) {
 }
 
 std::string Conversion::typeName() const { return type_ ? type_->getTypeName() : "unknown_t"; }
+
+bool Conversion::hasElement(Source& of, std::size_t index) const {
+    if (shape_.kind != Shape::Kind::Sequence || !shape_.elements) return true;
+    const void* const container = of.evaluate() ? of.getRawConstPointer() : nullptr;
+    return container && index < shape_.elements->size(container);
+}
 
 void Conversion::push(lua_State* lua, const void* value) const {
     if (!value && form_ != Form::Void) throw Failure("a value of type " + typeName() + " cannot be read");
@@ -168,7 +190,7 @@ void Conversion::assign(lua_State* lua, int index, Source& target) const {
         case Form::Number: return assignNumber(lua, index, target);
         case Form::Text: return assignText(lua, index, target);
         case Form::Named: return assignName(lua, index, target);
-        case Form::Status:
+        case Form::Status: return assignStatus(lua, index, target);
         case Form::Other:
             if (lua_istable(lua, index)) return assignTable(lua, index, target, shape_);
             break;
@@ -199,6 +221,17 @@ void Conversion::assignText(lua_State* lua, int index, Source& target) const {
         if (!target.assignValue(&text)) throw Failure("this text cannot be changed");
     }
     target.updated();
+}
+
+void Conversion::assignStatus(lua_State* lua, int index, Source& target) const {
+    if (lua_type(lua, index) != LUA_TSTRING) refuse(lua, index);
+    const std::string name = lua_tostring(lua, index);
+    if (writeStatus<RTT::FlowStatus>(*type_, target, name, {RTT::NoData, RTT::OldData, RTT::NewData}) ||
+        writeStatus<RTT::SendStatus>(*type_, target, name,
+                                     {RTT::CollectFailure, RTT::SendFailure, RTT::SendNotReady, RTT::SendSuccess}) ||
+        writeStatus<RTT::WriteStatus>(*type_, target, name, {RTT::WriteSuccess, RTT::WriteFailure, RTT::NotConnected}))
+        return target.updated();
+    throw Failure("type " + typeName() + " has no value '" + name + "'");
 }
 
 /** An enumerator by name or number, or a text of another type than string. */

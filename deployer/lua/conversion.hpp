@@ -27,6 +27,9 @@ public:
     /** Its values become values of Lua itself, not Variables. */
     bool isBasic() const { return form_ != Form::Other && form_ != Form::Named; }
 
+    /** False if the value is a sequence, or an array, that has fewer elements. */
+    bool hasElement(Source& of, std::size_t index) const;
+
     /** Pushes the value at this address, of a basic type. */
     void push(lua_State* lua, const void* value) const;
     /** Assigns a value of Lua that is no Variable. Tables fill structs by their names, and sequences from index 1.
@@ -40,6 +43,7 @@ private:
     void assignNumber(lua_State* lua, int index, Source& target) const;
     void assignText(lua_State* lua, int index, Source& target) const;
     void assignName(lua_State* lua, int index, Source& target) const;
+    void assignStatus(lua_State* lua, int index, Source& target) const;
     [[noreturn]] void refuse(lua_State* lua, int index) const;
 
     const RTT::types::TypeInfo* const type_;

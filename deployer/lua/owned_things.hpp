@@ -3,9 +3,11 @@
 #ifndef OCL_LUA_OWNED_THINGS_HPP
 #define OCL_LUA_OWNED_THINGS_HPP
 
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <vector>
 
 namespace OCL::lua {
@@ -32,10 +34,15 @@ public:
     void unuse(const void* thing);
     /** Gives it to the caller, which destroys it by calling the result; empty if it is not owned. */
     Destroy take(const void* thing);
+    /** A component has this copy of a thing that Lua code gave to it. */
+    void give(const void* copy) { given_.insert(copy); }
+    /** True, once, if it is such a copy. */
+    bool takeGiven(const void* copy) { return given_.erase(copy) != 0; }
     /** No Lua code knows it any more. */
     void forget(const void* thing);
     /** Those that neither Lua code nor a component uses, to be destroyed by the caller. */
     std::vector<Destroy> takeUnused();
+    std::size_t unused() const { return unused_.size(); }
 
 private:
     struct Thing {
@@ -47,6 +54,7 @@ private:
     std::shared_ptr<const bool> keep(const void* thing, Destroy destroy);
     static Destroy released(Thing& thing);
     std::map<const void*, Thing> things_;
+    std::set<const void*> given_;
     std::vector<Destroy> unused_;
     unsigned long made_ = 0;
 };

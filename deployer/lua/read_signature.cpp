@@ -3,10 +3,10 @@
 #include "read_signature.hpp"
 
 #include "failure.hpp"
+#include "values.hpp"
 
 #include <rtt/internal/DataSource.hpp>
 #include <rtt/types/TypeInfo.hpp>
-#include <rtt/types/TypeInfoRepository.hpp>
 
 #include <cctype>
 #include <vector>
@@ -40,9 +40,9 @@ std::vector<std::string> parts(const std::string& text) {
 /** Looks the type up; false if there is none. */
 bool complete(Value& value) {
     const std::string std = "std::";
-    value.type = RTT::types::Types()->type(value.typeName);
+    value.type = findType(value.typeName);
     if (!value.type && value.typeName.compare(0, std.size(), std) == 0)
-        value.type = RTT::types::Types()->type(value.typeName.substr(std.size()));
+        value.type = findType(value.typeName.substr(std.size()));
     if (!value.type) return false;
     value.id = value.type->getTypeId();
     value.typeName = value.type->getTypeName();

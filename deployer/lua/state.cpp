@@ -29,7 +29,21 @@ constexpr int kInstructions = 1000;
 constexpr unsigned kDeepest = 150;
 thread_local unsigned nesting = 0;
 
-char collectorKey;
+char collectorKey, bouncerKey;
+
+/** A function of C and its argument. */
+struct Bounce {
+    lua_CFunction function;
+    void* data;
+};
+
+/** As lua_cpcall() does it, but without making a function, which allocates. */
+int bounce(lua_State* lua) {
+    const Bounce* const to = static_cast<const Bounce*>(lua_touserdata(lua, 1));
+    lua_settop(lua, 0);
+    lua_pushlightuserdata(lua, to->data);
+    return to->function(lua);
+}
 
 int collectGarbage(lua_State* lua) {
     (void)lua_gc(lua, LUA_GCCOLLECT, 0);
@@ -40,6 +54,9 @@ void open(lua_State* lua) {
     luaL_openlibs(lua);
     lua_pushlightuserdata(lua, &collectorKey);
     lua_pushcfunction(lua, &collectGarbage);
+    lua_rawset(lua, LUA_REGISTRYINDEX);
+    lua_pushlightuserdata(lua, &bouncerKey);
+    lua_pushcfunction(lua, &bounce);
     lua_rawset(lua, LUA_REGISTRYINDEX);
     openModule(lua);
     setSearchPaths(lua);
@@ -81,7 +98,7 @@ State::State(RTT::TaskContext& owner, std::unique_ptr<Memory> memory)
     memory_->state = this;
     main_ = lua_newstate(&Memory::allocate, memory_.get());
     if (!main_) throw std::bad_alloc();
-    lua_sethook(main_, &State::onCount, LUA_MASKCOUNT, kInstructions);
+    countTo(main_, kInstructions);
     std::string error;
     try {
         if (protect(error, [this](lua_State* lua) {
@@ -124,6 +141,15 @@ void State::exit() {
     inside_.store(std::thread::id(), std::memory_order_relaxed);
     mutex_.unlock();
     // Destroying a port waits for callbacks, which may wait for this state.
+    for (const auto& destroy : unused) destroy();
+}
+
+void State::makeRoom() {
+    // They are destroyed when the outermost entry ends, which a program's may never do.
+    constexpr std::size_t kMany = 100;
+    if (owned_->unused() < kMany) return;
+    const std::vector<std::function<void()>> unused = owned_->takeUnused();
+    const Leave leave(*this);
     for (const auto& destroy : unused) destroy();
 }
 
@@ -200,7 +226,9 @@ void State::giveBack(lua_State* lua) {
     if (depth_ == 1 && !mainTaken_) interrupted_.store(false, std::memory_order_relaxed);
 }
 
-void State::onCount(lua_State* lua, lua_Debug*) { of(lua).failIfAsked(lua, 0); }
+void State::onCount(lua_State* lua, lua_Debug* where) {
+    if (where->event == LUA_HOOKCOUNT) of(lua).failIfAsked(lua, 0);
+}
 
 void State::look(lua_State* lua) { failIfAsked(lua, 1); }
 
@@ -221,13 +249,16 @@ void State::failIfAsked(lua_State* lua, int level) {
 }
 
 void State::countTo(lua_State* lua, int instructions) {
-    lua_sethook(lua, &State::onCount, LUA_MASKCOUNT, instructions);
+    // Between hooks for lines, Lua itself does not note where it is.
+    lua_sethook(lua, &State::onCount, LUA_MASKCOUNT | (exactLines_ ? LUA_MASKLINE : 0), instructions);
 }
 
 void State::end(lua_State* lua) {
     interrupt();
     countTo(lua, 1);
 }
+
+namespace {
 
 /** "file:line" of the innermost Lua code. Allocates nothing. */
 void describePlace(void* interpreter, char* text, std::size_t size) {
@@ -240,6 +271,8 @@ void describePlace(void* interpreter, char* text, std::size_t size) {
         return;
     }
 }
+
+}  // namespace
 
 bool State::call(lua_State* lua, int arguments, int results, bool traced) {
     int handler = 0;
@@ -263,7 +296,17 @@ bool State::protectCall(lua_State* lua, lua_CFunction function, void* data, std:
     using RTT::internal::Interruption;
     const Interruption::Region script(Interruption::ofThisThread(), Interruption::Region::Script);
     const RTT::internal::ScriptPlace place(&describePlace, lua);
-    const int status = lua_cpcall(lua, function, data);
+    int status;
+    lua_pushlightuserdata(lua, &bouncerKey);
+    lua_rawget(lua, LUA_REGISTRYINDEX);
+    if (lua_isnil(lua, -1)) {
+        lua_pop(lua, 1);
+        status = lua_cpcall(lua, function, data);
+    } else {
+        Bounce to{function, data};
+        lua_pushlightuserdata(lua, &to);
+        status = lua_pcall(lua, 1, 0, 0);
+    }
     if (status == 0) return true;
     error = takeMessage(lua);
     if (status == LUA_ERRMEM) collectAll(lua);

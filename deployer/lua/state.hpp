@@ -133,6 +133,9 @@ public:
     /** The engine for which operations are called. */
     RTT::ExecutionEngine* caller() const;
     OwnedThings& owned() { return *owned_; }
+    /** Inside, before Lua code makes a port, property or attribute: destroys those that it no longer uses, if they are
+        many. Leaves for that. */
+    void makeRoom();
     /** Inside: a hook that goes on when no Lua code knows it any more. The state's end disables it. */
     void keep(std::shared_ptr<EngineHook> hook);
     Memory& memory() { return *memory_; }
@@ -157,9 +160,10 @@ private:
     void giveBack(lua_State* lua);
     static void onCount(lua_State* lua, lua_Debug* where);
     void failIfAsked(lua_State* lua, int level);
-    static void countTo(lua_State* lua, int instructions);
+    void countTo(lua_State* lua, int instructions);
 
     RTT::TaskContext& owner_;
+    const bool exactLines_ = RTT::internal::ScriptPlace::isExactWanted();
     const std::unique_ptr<Memory> memory_;
     std::unique_ptr<OwnedThings> owned_;
     std::vector<std::shared_ptr<EngineHook>> hooks_;

@@ -38,8 +38,19 @@ void pushCopy(lua_State* lua, const Conversion& conversion, DataSourceBase& sour
     pushBox<Variable>(lua, copy, Life());
 }
 
+const RTT::types::TypeInfo* findType(const std::string& name) {
+    const auto types = RTT::types::Types();
+    if (const RTT::types::TypeInfo* const known = types->type(name)) return known;
+    // Other names of numbers; a typekit may have types of these names.
+    if (name == "int32") return types->getTypeInfo<std::int32_t>();
+    if (name == "uint32") return types->getTypeInfo<std::uint32_t>();
+    if (name == "long") return types->getTypeInfo<long>();
+    if (name == "ulong") return types->getTypeInfo<unsigned long>();
+    return nullptr;
+}
+
 const RTT::types::TypeInfo& typeNamed(const std::string& name) {
-    const RTT::types::TypeInfo* const type = RTT::types::Types()->type(name);
+    const RTT::types::TypeInfo* const type = findType(name);
     if (!type) throw Failure("no typekit that is loaded has a type '" + name + "'; import the package that has it");
     if (type == RTT::internal::DataSource<void>::GetTypeInfo()) throw Failure("there are no values of type void");
     return *type;

@@ -27,6 +27,8 @@ void pushValue(lua_State* lua, const RTT::base::DataSourceBase::shared_ptr& sour
 void pushCopy(lua_State* lua, const Conversion& conversion, RTT::base::DataSourceBase& source);
 /** A new value of the type that the text at `index` names. Throws Failure. */
 RTT::base::DataSourceBase::shared_ptr newValue(const std::string& type);
+/** Null if there is no such type. */
+const RTT::types::TypeInfo* findType(const std::string& name);
 /** Throws Failure if there is no such type, or it has no values. */
 const RTT::types::TypeInfo& typeNamed(const std::string& name);
 

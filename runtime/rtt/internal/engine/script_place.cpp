@@ -2,9 +2,12 @@
 // Copyright Oroforge contributors
 #include <rtt/internal/engine/script_place.hpp>
 
+#include <atomic>
+
 namespace RTT::internal {
 
 namespace {
+std::atomic<bool> exactWanted{false};
 // Initial-exec: functions in front of malloc() read it and must not allocate.
 thread_local const ScriptPlace* innermostPlace __attribute__((tls_model("initial-exec"))) = nullptr;
 }  // namespace
@@ -15,6 +18,9 @@ ScriptPlace::ScriptPlace(Describe describe, void* interpreter) noexcept
 }
 
 ScriptPlace::~ScriptPlace() { innermostPlace = outer_; }
+
+void ScriptPlace::wantExact() noexcept { exactWanted.store(true); }
+bool ScriptPlace::isExactWanted() noexcept { return exactWanted.load(); }
 
 void ScriptPlace::describe(char* text, std::size_t size) noexcept {
     if (size == 0) return;

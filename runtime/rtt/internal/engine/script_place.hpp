@@ -28,6 +28,10 @@ public:
     /** The place of this thread; an empty text if there is none. */
     static void describe(char* text, std::size_t size) noexcept;
 
+    /** Interpreters that are made from now on know the exact line at each moment, which slows them down. */
+    static void wantExact() noexcept;
+    static bool isExactWanted() noexcept;
+
 private:
     const Describe describe_;
     void* const interpreter_;
