@@ -11,21 +11,21 @@ local function makeGlobals()
 end
 
 -- A thing whose component is gone has a text, too.
-local function described(kind, func)
+local function described(rttlib, kind, name)
    return function(thing)
-      local known, text = pcall(func, thing)
+      local known, text = pcall(rttlib[name], thing)
       return known and text or kind .. " (" .. tostring(text) .. ")"
    end
 end
 
 local function makeTexts(rttlib)
    local metatables = debug.getregistry()
-   for kind, func in pairs({
-      Variable = rttlib.var2str, Property = rttlib.prop2str, Attribute = rttlib.attr2str, InputPort = rttlib.port2str,
-      OutputPort = rttlib.port2str, Operation = rttlib.op2str, Service = rttlib.service2str,
-      ServiceRequester = rttlib.service_req2str, TaskContext = rttlib.tc2str,
+   for kind, name in pairs({
+      Variable = "var2str", Property = "prop2str", Attribute = "attr2str", InputPort = "port2str",
+      OutputPort = "port2str", Operation = "op2str", Service = "service2str", ServiceRequester = "service_req2str",
+      TaskContext = "tc2str",
    }) do
-      metatables[kind].__tostring = described(kind, func)
+      metatables[kind].__tostring = described(rttlib, kind, name)
    end
    for _, kind in ipairs({ "SendHandle", "EEHook" }) do
       metatables[kind].__tostring = function() return kind end
@@ -36,8 +36,8 @@ return function(rttlib)
    makeGlobals()
    makeTexts(rttlib)
    rtt.operations_first()
-   rtt.Variable.fromtab = rttlib.varfromtab
-   rtt.Variable.totab = rttlib.var2tab
+   rtt.Variable.fromtab = function(...) return rttlib.varfromtab(...) end
+   rtt.Variable.totab = function(...) return rttlib.var2tab(...) end
    rtt.TaskContext.show = function(tc, full) print(rttlib.tc2str(tc, full)) end
-   rtt.TaskContext.stat = rttlib.tc_stat
+   rtt.TaskContext.stat = function(...) return rttlib.tc_stat(...) end
 end

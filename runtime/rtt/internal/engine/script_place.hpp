@@ -16,7 +16,8 @@ namespace internal {
  */
 class RTT_API ScriptPlace {
 public:
-    /** Writes "file:line" and a zero, or an empty text, in the thread of the interpreter; neither allocates nor waits. */
+    /** Writes "file:line" and a zero, or an empty text, in the thread of the interpreter; neither allocates nor waits.
+     */
     typedef void (*Describe)(void* interpreter, char* text, std::size_t size);
 
     /** With a null function there is no place: the thread executes C++ that the interpreter called. */
