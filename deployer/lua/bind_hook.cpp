@@ -14,15 +14,15 @@
 
 namespace OCL::lua {
 
-EngineHook::EngineHook(State& state, std::string function)
-    : state_(state), function_(std::move(function)), life_(state.owner()) {}
+EngineHook::EngineHook(State& state, std::string function) : state_(state), function_(std::move(function)) {}
 
 EngineHook::~EngineHook() { disable(); }
 
 bool EngineHook::enable() { return isLoaded() || state_.caller()->runFunction(this); }
 bool EngineHook::disable() {
-    if (life_.isOver() || !isLoaded()) return true;
-    return state_.caller()->removeFunction(this);
+    // Also while the component is being destroyed: the engine tells its functions before it ends.
+    RTT::ExecutionEngine* const engine = getEngine();
+    return !engine || engine->removeFunction(this);
 }
 
 bool EngineHook::execute() {

@@ -3,8 +3,6 @@
 #ifndef OCL_LUA_ENGINE_HOOK_HPP
 #define OCL_LUA_ENGINE_HOOK_HPP
 
-#include "life.hpp"
-
 #include <rtt/base/ExecutableInterface.hpp>
 
 #include <string>
@@ -27,7 +25,6 @@ public:
 private:
     State& state_;
     const std::string function_;
-    const Life life_;
 };
 
 }  // namespace OCL::lua
