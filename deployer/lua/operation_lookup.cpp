@@ -5,21 +5,14 @@
 #include "bindings.hpp"
 #include "box.hpp"
 #include "operation_call.hpp"
+#include "state.hpp"
 #include "things.hpp"
 
 namespace OCL::lua {
 
 namespace {
 
-char operationsFirstKey;
-
-bool isSet(lua_State* lua, char* key) {
-    lua_pushlightuserdata(lua, key);
-    lua_rawget(lua, LUA_REGISTRYINDEX);
-    const bool set = lua_toboolean(lua, -1) != 0;
-    lua_pop(lua, 1);
-    return set;
-}
+char cacheKey;
 
 int callAsMethod(lua_State* lua) {
     return static_cast<Operation*>(lua_touserdata(lua, lua_upvalueindex(1)))->call->call(lua, 2);
@@ -28,7 +21,7 @@ int callAsMethod(lua_State* lua) {
 /** The functions made for operations of the object at index 1, by name; they are kept in its environment. */
 void pushCache(lua_State* lua) {
     lua_getfenv(lua, 1);
-    lua_pushlightuserdata(lua, &operationsFirstKey);
+    lua_pushlightuserdata(lua, &cacheKey);
     lua_rawget(lua, -2);
     if (lua_istable(lua, -1)) {
         lua_remove(lua, -2);
@@ -37,7 +30,7 @@ void pushCache(lua_State* lua) {
     lua_pop(lua, 2);
     lua_newtable(lua);
     lua_newtable(lua);
-    lua_pushlightuserdata(lua, &operationsFirstKey);
+    lua_pushlightuserdata(lua, &cacheKey);
     lua_pushvalue(lua, -2);
     lua_rawset(lua, -4);
     lua_insert(lua, -2);
@@ -83,7 +76,7 @@ bool pushMethod(lua_State* lua) {
 
 int findMethod(lua_State* lua, const RTT::Service::shared_ptr& service) {
     const bool isName = lua_type(lua, 2) == LUA_TSTRING;
-    const bool operations = isName && isSet(lua, &operationsFirstKey);
+    const bool operations = isName && State::of(lua).operationsFirst;
     if (operations && pushOperationMethod(lua, service)) return 1;
     if (pushMethod(lua)) return 1;
     if (isName && !operations && pushOperationMethod(lua, service)) return 1;
@@ -92,9 +85,7 @@ int findMethod(lua_State* lua, const RTT::Service::shared_ptr& service) {
 }
 
 int operationsFirst(lua_State* lua) {
-    lua_pushlightuserdata(lua, &operationsFirstKey);
-    lua_pushboolean(lua, 1);
-    lua_rawset(lua, LUA_REGISTRYINDEX);
+    State::of(lua).operationsFirst = true;
     return 0;
 }
 

@@ -144,6 +144,9 @@ public:
     /** Of the outermost entry of this thread: for the interpreter of a program. */
     lua_State* main() const { return main_; }
 
+    /** Inside: operations of components and services hide methods of the same name, see operation_lookup.hpp. */
+    bool operationsFirst = false;
+
 private:
     friend class Entry;
     template <class Function>
