@@ -41,6 +41,7 @@ oroforge_component_library(lua
   lua/script.cpp
   lua/search_paths.cpp
   lua/state.cpp
+  lua/state_calls.cpp
   lua/values.cpp)
 target_link_libraries(orocos-ocl-lua PRIVATE $<BUILD_INTERFACE:PkgConfig::LUA>)
 

@@ -29,7 +29,7 @@ LuaComponent::LuaComponent(const std::string& name, std::unique_ptr<lua::Memory>
     addOperation("exec_str", &LuaComponent::exec_str, this, RTT::OwnThread)
         .doc("Executes Lua code. False if that fails.")
         .arg("lua-string", "The code");
-    addOperation("lua_statistics", &Script::statistics, script_.get())
+    addOperation("lua_statistics", &Script::statistics, script_.get(), RTT::OwnThread)
         .doc("The memory that Lua uses, and what garbage collection took, as text.");
 }
 
@@ -64,9 +64,16 @@ void LuaComponent::errorHook() {
     if (script_->hook("errorHook", false, lua_timeout_) == Answer::Failed) exception();
 }
 
-void LuaComponent::stopHook() { (void)script_->hook("stopHook", false, lua_timeout_); }
+// Lua collects by itself as long as updateHook() does not.
+void LuaComponent::stopHook() {
+    (void)script_->hook("stopHook", false, lua_timeout_);
+    script_->collect(0);
+}
 void LuaComponent::cleanupHook() { (void)script_->hook("cleanupHook", false, lua_timeout_); }
-void LuaComponent::exceptionHook() { (void)script_->hook("exceptionHook", false, lua_timeout_); }
+void LuaComponent::exceptionHook() {
+    (void)script_->hook("exceptionHook", false, lua_timeout_);
+    script_->collect(0);
+}
 
 }  // namespace OCL
 

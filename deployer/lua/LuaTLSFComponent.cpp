@@ -23,7 +23,7 @@ LuaTLSFComponent::LuaTLSFComponent(const std::string& name, std::unique_ptr<lua:
 LuaTLSFComponent::~LuaTLSFComponent() { stopForGood(); }
 
 bool LuaTLSFComponent::tlsf_incmem(unsigned size) {
-    const lua::State::Entry entry(script().state());
+    const lua::State::Lock lock(script().state());
     return memory_.grow(size);
 }
 

@@ -18,7 +18,10 @@ EngineHook::EngineHook(State& state, std::string function) : state_(state), func
 
 EngineHook::~EngineHook() { disable(); }
 
-bool EngineHook::enable() { return isLoaded() || state_.caller()->runFunction(this); }
+bool EngineHook::enable() {
+    const std::lock_guard<std::mutex> one(enabling_);
+    return isLoaded() || state_.caller()->runFunction(this);
+}
 bool EngineHook::disable() {
     // Also while the component is being destroyed: the engine tells its functions before it ends.
     RTT::ExecutionEngine* const engine = getEngine();
@@ -33,6 +36,7 @@ bool EngineHook::execute() {
         lua_pushstring(lua, function_.c_str());
         lua_rawget(lua, LUA_GLOBALSINDEX);
         if (!lua_isfunction(lua, -1)) throw Failure("there is no such function");
+        const State::Limit limited(state_, state_.limit.load(std::memory_order_relaxed));
         lua_call(lua, 0, 1);
         if (!lua_isboolean(lua, -1))
             throw Failure(std::string("it has to return a bool, not a ") + luaL_typename(lua, -1));

@@ -21,35 +21,42 @@ namespace {
 
 typedef RTT::OperationInterfacePart Part;
 
-int call(lua_State* lua) { return boxAt<Operation>(lua, 1).call->call(lua, 2); }
+typedef std::shared_ptr<OperationCall> CallPtr;
+
+// A copy: the operation may delete its own box.
+CallPtr callAt(lua_State* lua) { return boxAt<Operation>(lua, 1).call; }
+
+int call(lua_State* lua) { return callAt(lua)->call(lua, 2); }
 
 int send(lua_State* lua) {
-    OperationCall& operation = *boxAt<Operation>(lua, 1).call;
-    auto handle = operation.send(lua, 2);
-    pushBox<SendHandle>(lua, operation.part(), std::move(handle));
+    const CallPtr operation = callAt(lua);
+    auto handle = operation->send(lua, 2);
+    pushBox<SendHandle>(lua, operation->part(), std::move(handle));
     return 1;
 }
 
 int info(lua_State* lua) {
-    pushOperationInfo(lua, boxAt<Operation>(lua, 1).call->signature(), *boxAt<Operation>(lua, 1).call->part());
+    const CallPtr operation = callAt(lua);
+    pushOperationInfo(lua, operation->signature(), *operation->part());
     return 5;
 }
 
 int describe(lua_State* lua) {
-    const OperationCall& operation = *boxAt<Operation>(lua, 1).call;
-    std::string text = operation.part()->resultType() + " " + operation.part()->getName() + "(";
+    const CallPtr operation = callAt(lua);
+    const OperationCall::Part& part = *operation->part();
+    std::string text = part.resultType() + " " + part.getName() + "(";
     bool first = true;
-    for (const RTT::ArgumentDescription& argument : operation.part()->getArgumentList()) {
+    for (const RTT::ArgumentDescription& argument : part.getArgumentList()) {
         text += (first ? "" : ", ") + argument.type + (argument.name.empty() ? "" : " " + argument.name);
         first = false;
     }
-    pushText(lua, text + ") // " + operation.part()->description());
+    pushText(lua, text + ") // " + part.description());
     return 1;
 }
 
 /** Collects: pushes the status, and without variables the values. */
 int collectFrom(lua_State* lua, bool wait) {
-    const SendHandle& handle = boxAt<SendHandle>(lua, 1);
+    const SendHandle handle = boxAt<SendHandle>(lua, 1);
     const int given = lua_gettop(lua) - 1;
     const unsigned arity = handle.part->collectArity();
     if (given != 0 && static_cast<unsigned>(given) != arity)
@@ -78,6 +85,7 @@ int collectFrom(lua_State* lua, bool wait) {
     const char* const names[] = {"CollectFailure", "SendFailure", "SendNotReady", "SendSuccess"};
     lua_pushstring(lua, names[status + 2]);
     if (given || status != RTT::SendSuccess) return 1;
+    luaL_checkstack(lua, static_cast<int>(arity) + 8, "too many values");
     for (unsigned i = 1; i <= arity; ++i) pushValue(lua, arguments[i], Life());
     return 1 + static_cast<int>(arity);
 }
@@ -104,7 +112,7 @@ void bindSendHandle(lua_State* lua) {
 void pushOperation(lua_State* lua, const RTT::Service::shared_ptr& service, const std::string& name) {
     const RTT::OperationInterfacePart* const part = service->getPart(name);
     if (!part) throw Failure("'" + service->getName() + "' has no operation '" + name + "'");
-    auto made = std::make_unique<OperationCall>(State::of(lua), Part::hold(part), Life(*service));
+    auto made = std::make_shared<OperationCall>(State::of(lua), Part::hold(part), Life(*service));
     pushBox<Operation>(lua, std::move(made));
 }
 

@@ -3,6 +3,7 @@
 // Ports.
 #include "bindings.hpp"
 #include "box.hpp"
+#include "busy.hpp"
 #include "conversion.hpp"
 #include "owned_things.hpp"
 #include "port_access.hpp"
@@ -53,13 +54,19 @@ int read(lua_State* lua) {
         lua_pushstring(lua, nameOf(port.thing->read(into.source)));
         return 1;
     }
-    const RTT::FlowStatus status = port.thing->read(port.sample);
+    const RTT::FlowStatus status = port.thing->read(port.sample->value);
     lua_pushstring(lua, nameOf(status));
     if (status == RTT::NoData)
         lua_pushnil(lua);
     else
-        pushCopy(lua, *port.conversion, *port.sample);
+        pushCopy(lua, *port.conversion, *port.sample->value);
     return 2;
+}
+
+/** Others may be inside meanwhile: a component that is executed by those that write to it may call Lua code. */
+void writeLeaving(lua_State* lua, OutputPortInterface& port, const RTT::base::DataSourceBase::shared_ptr& value) {
+    const State::Leave leave(State::of(lua));
+    port.write(value);
 }
 
 int write(lua_State* lua) {
@@ -68,11 +75,19 @@ int write(lua_State* lua) {
     const Variable* const variable = findBox<Variable>(lua, 2);
     if (variable && variable->source->getTypeInfo() == port.thing->getTypeInfo()) {
         variable->life.check(Variable::kName);
-        port.thing->write(variable->source);
+        writeLeaving(lua, *port.thing, RTT::base::DataSourceBase::shared_ptr(variable->source));
         return 0;
     }
-    assign(lua, 2, *port.sample);
-    port.thing->write(port.sample);
+    const std::shared_ptr<Sample> sample = port.sample;
+    if (sample->busy) {
+        const RTT::base::DataSourceBase::shared_ptr other = port.thing->getTypeInfo()->buildValue();
+        assign(lua, 2, *other);
+        writeLeaving(lua, *port.thing, other);
+        return 0;
+    }
+    assign(lua, 2, *sample->value);
+    const Busy busy(sample->busy);
+    writeLeaving(lua, *port.thing, sample->value);
     return 0;
 }
 
@@ -166,7 +181,8 @@ int describe(lua_State* lua) {
 template <class Box, class Port>
 void push(lua_State* lua, Held<Port> held) {
     const RTT::types::TypeInfo* const type = held.thing->getTypeInfo();
-    pushBox<Box>(lua, std::move(held), type->buildValue(), &State::of(lua).conversion(type));
+    const auto sample = std::make_shared<Sample>(Sample{type->buildValue(), false});
+    pushBox<Box>(lua, std::move(held), sample, &State::of(lua).conversion(type));
 }
 
 template <class Box, class Port>
@@ -205,6 +221,14 @@ PortInterface& portAt(lua_State* lua, int index) {
     if (findBox<InputPort>(lua, index)) return *portBox<InputPort>(lua, index).thing;
     if (findBox<OutputPort>(lua, index)) return *portBox<OutputPort>(lua, index).thing;
     detail::wrongKind(lua, index, "port");
+}
+
+PortInterface& ownPortAt(lua_State* lua, int index) {
+    PortInterface& port = portAt(lua, index);
+    const InputPort* const input = findBox<InputPort>(lua, index);
+    if (!(input ? input->exists : findBox<OutputPort>(lua, index)->exists))
+        throw Failure("only a port that this Lua code has made can be added");
+    return port;
 }
 
 void bindInputPort(lua_State* lua) { bind<InputPort, &makeInput, &read>(lua, "read"); }

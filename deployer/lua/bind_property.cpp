@@ -31,10 +31,10 @@ bool isStillIn(RTT::Service& home, const Attribute& attribute) {
     return home.getValue(attribute.name) == attribute.thing;
 }
 
-/** The property or attribute at index 1, which still exists. */
+/** The property or attribute at this index, which still exists. */
 template <class Box>
-Box& self(lua_State* lua) {
-    Box& box = boxAt<Box>(lua, 1);
+Box& existing(lua_State* lua, int index) {
+    Box& box = boxAt<Box>(lua, index);
     box.life.check(Box::kName);
     if (box.exists) {
         if (!*box.exists) throw Failure(std::string("this ") + Box::kName + " was deleted");
@@ -43,6 +43,19 @@ Box& self(lua_State* lua) {
     const RTT::Service::shared_ptr home = box.home.lock();
     if (!home || !isStillIn(*home, box))
         throw Failure(std::string(Box::kName) + " '" + box.name + "' is no longer in its component");
+    return box;
+}
+
+template <class Box>
+Box& self(lua_State* lua) {
+    return existing<Box>(lua, 1);
+}
+
+/** The same, made by this Lua code. Others belong to a component that may end before the one that gets them. */
+template <class Box>
+Box& ownAt(lua_State* lua, int index) {
+    Box& box = existing<Box>(lua, index);
+    if (!box.exists) throw Failure(std::string("only a ") + Box::kName + " that this Lua code has made can be added");
     return box;
 }
 
@@ -192,6 +205,9 @@ void bind(lua_State* lua) {
 }
 
 }  // namespace
+
+PropertyBase& ownPropertyAt(lua_State* lua, int index) { return *ownAt<Property>(lua, index).thing; }
+AttributeBase& ownAttributeAt(lua_State* lua, int index) { return *ownAt<Attribute>(lua, index).thing; }
 
 void bindProperty(lua_State* lua) { bind<Property, &makeProperty, &propertyInfo>(lua); }
 void bindAttribute(lua_State* lua) { bind<Attribute, &makeAttribute, &attributeInfo>(lua); }

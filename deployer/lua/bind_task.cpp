@@ -90,24 +90,27 @@ int peer(lua_State* lua) {
     return 1;
 }
 
-int connectPeers(lua_State* lua) {
-    lua_pushboolean(lua, self(lua).connectPeers(&taskAt(lua, 2)));
+template <bool (TaskContext::*Connect)(TaskContext*)>
+int connectBy(lua_State* lua) {
+    TaskContext &component = self(lua), &other = taskAt(lua, 2);
+    bool done;
+    {
+        const State::Leave leave(State::of(lua));
+        done = (component.*Connect)(&other);
+    }
+    lua_pushboolean(lua, done);
     return 1;
 }
 
-int connectPorts(lua_State* lua) {
-    lua_pushboolean(lua, self(lua).connectPorts(&taskAt(lua, 2)));
-    return 1;
-}
+int connectPeers(lua_State* lua) { return connectBy<&TaskContext::connectPeers>(lua); }
 
-int connectServices(lua_State* lua) {
-    lua_pushboolean(lua, self(lua).connectServices(&taskAt(lua, 2)));
-    return 1;
-}
+int connectPorts(lua_State* lua) { return connectBy<&TaskContext::connectPorts>(lua); }
+
+int connectServices(lua_State* lua) { return connectBy<&TaskContext::connectServices>(lua); }
 
 /** Names and describes the port at index 2 as the arguments behind it say. */
 RTT::base::PortInterface& portToAdd(lua_State* lua) {
-    RTT::base::PortInterface& port = portAt(lua, 2);
+    RTT::base::PortInterface& port = ownPortAt(lua, 2);
     const std::string wanted = textAt(lua, 3, ""), description = textAt(lua, 4, "");
     if (!wanted.empty() && wanted != port.getName() && !port.setName(wanted))
         throw Failure("port '" + port.getName() + "' is connected and cannot be renamed to '" + wanted + "'");
@@ -149,20 +152,19 @@ int removePort(lua_State* lua) {
 
 int addProperty(lua_State* lua) {
     TaskContext& component = self(lua);
-    Property& box = boxAt<Property>(lua, 2);
-    box.life.check(Property::kName);
+    RTT::base::PropertyBase& property = ownPropertyAt(lua, 2);
+    OwnedThings& owned = State::of(lua).owned();
+    if (owned.isUsed(&property))
+        throw Failure("property '" + property.getName() + "' is in a component already; removeProperty() comes first");
     const std::string wanted = textAt(lua, 3, ""), description = textAt(lua, 4, "");
-    if (!wanted.empty()) box.thing->setName(wanted);
-    if (!description.empty()) box.thing->setDescription(description);
-    const std::string known = box.thing->getName();
-    if (known.empty()) throw Failure("a property needs a name before it is added");
-    if (!component.addProperty(*box.thing))
-        throw Failure("component '" + component.getName() + "' has a property '" + known + "' already");
-    State::of(lua).owned().use(box.thing,
-                               [home = boost::weak_ptr<RTT::Service>(component.provides()), property = box.thing] {
-                                   if (const RTT::Service::shared_ptr service = home.lock())
-                                       service->properties()->removeProperty(property);
-                               });
+    if (!wanted.empty()) property.setName(wanted);
+    if (!description.empty()) property.setDescription(description);
+    if (property.getName().empty()) throw Failure("a property needs a name before it is added");
+    if (!component.addProperty(property))
+        throw Failure("component '" + component.getName() + "' has a property '" + property.getName() + "' already");
+    owned.use(&property, [home = boost::weak_ptr<RTT::Service>(component.provides()), added = &property] {
+        if (const RTT::Service::shared_ptr service = home.lock()) service->properties()->removeProperty(added);
+    });
     return 0;
 }
 
@@ -178,12 +180,11 @@ int removeProperty(lua_State* lua) {
 
 int addAttribute(lua_State* lua) {
     TaskContext& component = self(lua);
-    Attribute& box = boxAt<Attribute>(lua, 2);
-    box.life.check(Attribute::kName);
+    RTT::base::AttributeBase& attribute = ownAttributeAt(lua, 2);
     const std::string wanted = textAt(lua, 3, "");
-    if (!wanted.empty()) box.thing->setName(wanted);
-    if (!component.addAttribute(*box.thing))
-        throw Failure("component '" + component.getName() + "' has no room for attribute '" + box.thing->getName() +
+    if (!wanted.empty()) attribute.setName(wanted);
+    if (!component.addAttribute(attribute))
+        throw Failure("component '" + component.getName() + "' has no room for attribute '" + attribute.getName() +
                       "': it needs a name of its own");
     State::of(lua).owned().give(component.provides()->getValues().back());
     return 0;

@@ -32,6 +32,11 @@ void bindRequester(lua_State* lua);
 void bindTask(lua_State* lua);
 void bindHook(lua_State* lua);
 
+/** What Lua code of this state has made, and what still exists. They throw Failure. */
+RTT::base::PropertyBase& ownPropertyAt(lua_State* lua, int index);
+RTT::base::AttributeBase& ownAttributeAt(lua_State* lua, int index);
+RTT::base::PortInterface& ownPortAt(lua_State* lua, int index);
+
 void pushTask(lua_State* lua, RTT::TaskContext& component);
 void pushService(lua_State* lua, const RTT::Service::shared_ptr& service);
 void pushOperation(lua_State* lua, const RTT::Service::shared_ptr& service, const std::string& name);

@@ -19,9 +19,11 @@ std::string nameOf(lua_State* lua, int index) {
     return name;
 }
 
-int useBuried(lua_State* lua) { return luaL_error(lua, "this %s was deleted", lua_tostring(lua, lua_upvalueindex(1))); }
+int useDeleted(lua_State* lua) {
+    return luaL_error(lua, "this %s was deleted", lua_tostring(lua, lua_upvalueindex(1)));
+}
 
-int describeBuried(lua_State* lua) {
+int describeDeleted(lua_State* lua) {
     lua_pushfstring(lua, "deleted %s", lua_tostring(lua, lua_upvalueindex(1)));
     return 1;
 }
@@ -33,20 +35,20 @@ void wrongKind(lua_State* lua, int index, const char* wanted) {
                   nameOf(lua, index));
 }
 
-void bury(lua_State* lua, int index, const char* name) {
-    if (index < 0) index = lua_gettop(lua) + index + 1;
+void makeDeletedMetatable(lua_State* lua, void* key, const char* name) {
+    lua_pushlightuserdata(lua, key);
     lua_newtable(lua);
     for (const char* event : {"__index", "__newindex", "__call"}) {
         lua_pushstring(lua, name);
-        lua_pushcclosure(lua, &useBuried, 1);
+        lua_pushcclosure(lua, &useDeleted, 1);
         lua_setfield(lua, -2, event);
     }
     lua_pushstring(lua, name);
-    lua_pushcclosure(lua, &describeBuried, 1);
+    lua_pushcclosure(lua, &describeDeleted, 1);
     lua_setfield(lua, -2, "__tostring");
     lua_pushfstring(lua, "deleted %s", name);
     lua_setfield(lua, -2, "__name");
-    lua_setmetatable(lua, index);
+    lua_rawset(lua, LUA_REGISTRYINDEX);
 }
 
 void makeMetatable(lua_State* lua, void* key, const char* name, const luaL_Reg* methods, const luaL_Reg* events,

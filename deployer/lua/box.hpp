@@ -20,6 +20,11 @@ struct Kind {
         static char place;
         return &place;
     }
+    /** Of the metatable with which every use is an error. */
+    static void* deletedKey() {
+        static char place;
+        return &place;
+    }
 };
 
 namespace detail {
@@ -29,9 +34,9 @@ inline void pushMetatable(lua_State* lua, void* key) {
     lua_rawget(lua, LUA_REGISTRYINDEX);
 }
 [[noreturn]] void wrongKind(lua_State* lua, int index, const char* wanted);
-/** The userdata gets a metatable with which every use is an error. */
-void bury(lua_State* lua, int index, const char* name);
-/** Makes the metatable of a kind and leaves it on the stack; `methods` ends with nulls. */
+/** Makes the metatable with which every use is an error. */
+void makeDeletedMetatable(lua_State* lua, void* key, const char* name);
+/** Makes the metatable of a kind and leaves the table of its methods on the stack; `methods` ends with nulls. */
 void makeMetatable(lua_State* lua, void* key, const char* name, const luaL_Reg* methods, const luaL_Reg* events,
                    lua_CFunction destroy);
 }  // namespace detail
@@ -49,8 +54,10 @@ T& pushBox(lua_State* lua, Arguments&&... arguments) {
 /** Null if there is something else. */
 template <class T>
 T* findBox(lua_State* lua, int index) {
+    // The module `debug` can give its metatable to anything.
+    if (lua_type(lua, index) != LUA_TUSERDATA || lua_objlen(lua, index) != sizeof(T)) return nullptr;
     void* const place = lua_touserdata(lua, index);
-    if (!place || !lua_getmetatable(lua, index)) return nullptr;
+    if (!lua_getmetatable(lua, index)) return nullptr;
     detail::pushMetatable(lua, Kind<T>::key());
     const bool same = lua_rawequal(lua, -1, -2) != 0;
     lua_pop(lua, 2);
@@ -69,7 +76,10 @@ T& boxAt(lua_State* lua, int index) {
 template <class T>
 void destroyBox(lua_State* lua, int index) {
     T& box = boxAt<T>(lua, index);
-    detail::bury(lua, index, Kind<T>::name());
+    // Allocates nothing, because it is called when memory is used up, too.
+    if (index < 0) index = lua_gettop(lua) + index + 1;
+    detail::pushMetatable(lua, Kind<T>::deletedKey());
+    lua_setmetatable(lua, index);
     box.~T();
 }
 
@@ -84,6 +94,7 @@ int collectBox(lua_State* lua) {
     on the stack. */
 template <class T>
 void registerKind(lua_State* lua, const luaL_Reg* methods, const luaL_Reg* events) {
+    detail::makeDeletedMetatable(lua, Kind<T>::deletedKey(), Kind<T>::name());
     detail::makeMetatable(lua, Kind<T>::key(), Kind<T>::name(), methods, events, &guarded<&collectBox<T>>);
 }
 

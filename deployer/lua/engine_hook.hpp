@@ -5,6 +5,7 @@
 
 #include <rtt/base/ExecutableInterface.hpp>
 
+#include <mutex>
 #include <string>
 
 namespace OCL::lua {
@@ -25,6 +26,7 @@ public:
 private:
     State& state_;
     const std::string function_;
+    std::mutex enabling_;
 };
 
 }  // namespace OCL::lua

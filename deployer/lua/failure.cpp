@@ -16,7 +16,7 @@ void raiseCaught(lua_State* lua) {
         throw;
     } catch (const RTT::internal::Interrupted& interrupted) {
         // Lua code that catches it meets it again soon.
-        State::of(lua).interrupt();
+        State::of(lua).lookSoon(lua);
         lua_pushstring(lua, interrupted.what());
     } catch (const std::bad_alloc&) {
         lua_pushliteral(lua, "not enough memory");

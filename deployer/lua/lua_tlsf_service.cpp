@@ -20,7 +20,7 @@ public:
 
 private:
     bool tlsf_incmem(unsigned size) {
-        const lua::State::Entry entry(script_.state());
+        const lua::State::Lock lock(script_.state());
         return static_cast<lua::PoolMemory&>(script_.state().memory()).grow(size);
     }
 };

@@ -67,6 +67,7 @@ void* PoolMemory::resize(void* block, std::size_t before, std::size_t after) {
     if (traced)
         RTT::log(RTT::Debug) << "Lua asks for " << after << " bytes instead of " << (block ? before : 0)
                              << (made ? "" : ": no room") << RTT::endlog();
+    if (!made) state->refused();
     if (!block || after > before) watch();
     return made;
 }

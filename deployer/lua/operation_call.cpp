@@ -3,6 +3,7 @@
 #include "operation_call.hpp"
 
 #include "box.hpp"
+#include "busy.hpp"
 #include "conversion.hpp"
 #include "state.hpp"
 #include "things.hpp"
@@ -12,22 +13,6 @@
 #include <rtt/internal/engine/interruption.hpp>
 
 namespace OCL::lua {
-
-namespace {
-
-/** While one exists, a flag is set. */
-class Busy {
-public:
-    explicit Busy(bool& flag) : flag_(flag) { flag_ = true; }
-    ~Busy() { flag_ = false; }
-    Busy(const Busy&) = delete;
-    Busy& operator=(const Busy&) = delete;
-
-private:
-    bool& flag_;
-};
-
-}  // namespace
 
 OperationCall::OperationCall(State& state, Part::shared_constptr part, Life life)
     : state_(state),

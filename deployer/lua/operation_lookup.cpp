@@ -15,7 +15,11 @@ namespace {
 char cacheKey;
 
 int callAsMethod(lua_State* lua) {
-    return static_cast<Operation*>(lua_touserdata(lua, lua_upvalueindex(1)))->call->call(lua, 2);
+    // Finalizers may call it after that of the operation.
+    const Operation* const operation = findBox<Operation>(lua, lua_upvalueindex(1));
+    if (!operation) throw Failure("this Operation was deleted");
+    const std::shared_ptr<OperationCall> call = operation->call;
+    return call->call(lua, 2);
 }
 
 /** The functions made for operations of the object at index 1, by name; they are kept in its environment. */
@@ -45,11 +49,10 @@ bool pushOperationMethod(lua_State* lua, const RTT::Service::shared_ptr& service
     pushCache(lua);
     lua_pushvalue(lua, 2);
     lua_rawget(lua, -2);
-    if (lua_isfunction(lua, -1)) {
-        lua_getupvalue(lua, -1, 1);
-        const Operation* const known = static_cast<Operation*>(lua_touserdata(lua, -1));
+    if (lua_tocfunction(lua, -1) == &guarded<&callAsMethod> && lua_getupvalue(lua, -1, 1)) {
+        const Operation* const known = findBox<Operation>(lua, -1);
         lua_pop(lua, 1);
-        if (known->call->part().get() == part) {
+        if (known && known->call->part().get() == part) {
             lua_remove(lua, -2);
             return true;
         }

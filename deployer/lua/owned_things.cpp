@@ -17,7 +17,7 @@ OwnedThings::~OwnedThings() {
 
 std::shared_ptr<const bool> OwnedThings::keep(const void* thing, Destroy destroy) {
     auto exists = std::make_shared<bool>(true);
-    things_[thing] = {std::move(destroy), {}, exists, ++made_};
+    things_[thing] = {std::move(destroy), {}, exists, ++made_, false};
     return exists;
 }
 
@@ -32,7 +32,16 @@ void OwnedThings::use(const void* thing, std::function<void()> leave) {
     if (found != things_.end()) found->second.leave = std::move(leave);
 }
 
-void OwnedThings::unuse(const void* thing) { use(thing, {}); }
+bool OwnedThings::isUsed(const void* thing) const {
+    const auto found = things_.find(thing);
+    return found != things_.end() && found->second.leave;
+}
+
+void OwnedThings::unuse(const void* thing) {
+    use(thing, {});
+    const auto found = things_.find(thing);
+    if (found != things_.end() && found->second.forgotten) forget(thing);
+}
 
 OwnedThings::Destroy OwnedThings::take(const void* thing) {
     const auto found = things_.find(thing);
@@ -44,7 +53,9 @@ OwnedThings::Destroy OwnedThings::take(const void* thing) {
 
 void OwnedThings::forget(const void* thing) {
     const auto found = things_.find(thing);
-    if (found == things_.end() || found->second.leave) return;
+    if (found == things_.end()) return;
+    found->second.forgotten = true;
+    if (found->second.leave) return;
     unused_.push_back(released(found->second));
     things_.erase(found);
 }

@@ -30,6 +30,7 @@ public:
     }
     /** A component refers to it from now on; `leave` ends that before it is destroyed. Ignores what it does not own. */
     void use(const void* thing, std::function<void()> leave);
+    bool isUsed(const void* thing) const;
     /** No component refers to it any more. */
     void unuse(const void* thing);
     /** Gives it to the caller, which destroys it by calling the result; empty if it is not owned. */
@@ -50,6 +51,7 @@ private:
         std::function<void()> leave;
         std::shared_ptr<bool> exists;
         unsigned long number;
+        bool forgotten = false;
     };
     std::shared_ptr<const bool> keep(const void* thing, Destroy destroy);
     static Destroy released(Thing& thing);

@@ -119,6 +119,7 @@ void ProvidedCall::execute() {
 
 void ProvidedCall::runFunction(lua_State* lua) {
     const auto& signature = function_->signature;
+    luaL_checkstack(lua, static_cast<int>(signature.arguments.size()) + 8, "too many arguments");
     const int before = lua_gettop(lua);
     lua_rawgeti(lua, LUA_REGISTRYINDEX, function_->reference);
     for (std::size_t i = 0; i != signature.arguments.size(); ++i)
@@ -139,11 +140,18 @@ void ProvidedCall::runFunction(lua_State* lua) {
 }
 
 void ProvidedCall::run() {
-    const std::shared_ptr<State> state = function_->state.lock();
+    // As long as it is visited, no other thread destroys the component that has the state.
+    const EngineGate::Visit visit(*function_->stateGate);
+    const std::shared_ptr<State> state = visit.engine() ? function_->state.lock() : nullptr;
     if (!state) throw Failure("its component was destroyed");
     const RTT::internal::HookInProgress here(&state->owner(), "an operation in Lua");
     std::string error;
-    if (!state->protect(error, [this](lua_State* lua) { runFunction(lua); })) throw Failure(error);
+    const double limit = function_->ownThread ? state->limit.load(std::memory_order_relaxed) : 0;
+    const auto limited = [&](lua_State* lua) {
+        const State::Limit most(*state, limit);
+        runFunction(lua);
+    };
+    if (!state->protect(error, limited)) throw Failure(error);
 }
 
 }  // namespace OCL::lua

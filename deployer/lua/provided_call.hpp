@@ -26,8 +26,9 @@ struct ProvidedFunction {
     RTT::internal::OperationSignature signature;
     bool ownThread;  ///< the component's thread executes it
     std::weak_ptr<State> state;
-    int reference;  ///< of the function, in the registry of Lua
-    boost::intrusive_ptr<const RTT::internal::EngineGate> gate;
+    int reference;                                                    ///< of the function, in the registry of Lua
+    boost::intrusive_ptr<const RTT::internal::EngineGate> gate;       ///< of the component that has the operation
+    boost::intrusive_ptr<const RTT::internal::EngineGate> stateGate;  ///< of the one that has the function
 
     ~ProvidedFunction();
     /** "operation 'f' of component 'c'" */

@@ -204,6 +204,7 @@ void provideOperation(lua_State* lua, RTT::Service& service) {
     lua_pushvalue(lua, 4);
     function->reference = luaL_ref(lua, LUA_REGISTRYINDEX);
     function->state = state.weak_from_this();
+    function->stateGate = state.owner().engine()->gate();
     service.add(function->name, new ProvidedPart(function));
 }
 

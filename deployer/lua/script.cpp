@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include "script.hpp"
 
+#include <rtt/ExecutionEngine.hpp>
 #include <rtt/Logger.hpp>
 #include <rtt/TaskContext.hpp>
 #include <rtt/internal/located_log.hpp>
@@ -13,23 +14,53 @@
 namespace OCL::lua {
 
 Script::Script(RTT::TaskContext& owner, std::unique_ptr<Memory> memory)
-    : state_(std::make_shared<State>(owner, std::move(memory))) {}
+    : state_(std::make_shared<State>(owner, std::move(memory))), gate_(owner.engine()->gate()) {}
 
 Script::~Script() = default;
+
+namespace {
+
+/** The length of "file:12: " at the start of a message of Lua; 0 if it has no place. */
+std::size_t placeIn(const std::string& message) {
+    // The name of code that is no file is its text, in which anything may stand.
+    const std::size_t from = message.compare(0, 9, "[string \"") == 0 ? message.rfind("\"]:") : 0;
+    for (std::size_t colon = message.find(':', from); colon != std::string::npos;
+         colon = message.find(':', colon + 1)) {
+        const std::size_t end = message.find_first_not_of("0123456789", colon + 1);
+        if (end != std::string::npos && end > colon + 1 && message.compare(end, 2, ": ") == 0) return end + 2;
+    }
+    return 0;
+}
+
+/** While one exists, the component is not destroyed by another thread. */
+class Present {
+public:
+    explicit Present(const RTT::internal::EngineGate& gate) : visit_(gate) {
+        if (!visit_.engine()) throw Failure("the component of this Lua code was destroyed");
+    }
+
+private:
+    const RTT::internal::EngineGate::Visit visit_;
+};
+
+}  // namespace
 
 /** Lua puts the place in front, so that editors find it. */
 void Script::report(const std::string& error) const {
     const std::string who = "component '" + state_->owner().getName() + "'";
-    const auto colon = error.find(": ");
-    const bool located =
-        colon != std::string::npos && colon != 0 && std::isdigit(static_cast<unsigned char>(error[colon - 1]));
-    if (located)
-        RTT::internal::logLocated(RTT::Error, error.substr(0, colon + 2) + who + ": " + error.substr(colon + 2));
+    if (const std::size_t place = placeIn(error))
+        RTT::internal::logLocated(RTT::Error, error.substr(0, place) + who + ": " + error.substr(place));
     else
         RTT::log(RTT::Error) << who << ": " << error << RTT::endlog();
 }
 
+std::string Script::check(const std::string& file) {
+    const Present here(*gate_);
+    return state_->check(file);
+}
+
 bool Script::file(const std::string& file) {
+    const Present here(*gate_);
     std::string error;
     if (state_->runFile(file, error)) return true;
     report(error);
@@ -37,6 +68,7 @@ bool Script::file(const std::string& file) {
 }
 
 bool Script::text(const std::string& text) {
+    const Present here(*gate_);
     std::string error;
     if (state_->runText(text, text, error)) return true;
     report(error);
@@ -44,6 +76,7 @@ bool Script::text(const std::string& text) {
 }
 
 Script::Answer Script::hook(const char* function, bool answers, double limit) {
+    state_->limit.store(limit, std::memory_order_relaxed);
     Answer answer = Answer::Missing;
     std::string error;
     const auto call = [&](lua_State* lua) {
@@ -78,7 +111,8 @@ void Script::step(lua_State* lua, double budget) {
     }
     stepped_ = true;
     const std::int64_t start = rtos_get_time_ns();
-    const std::int64_t end = start + static_cast<std::int64_t>(budget * 1e9);
+    constexpr double kLongest = 1000;
+    const std::int64_t end = start + static_cast<std::int64_t>(std::min(budget, kLongest) * 1e9);
     std::int64_t now = start;
     // Small steps, so that the last one does not go far beyond the budget.
     do {

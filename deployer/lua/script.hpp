@@ -37,11 +37,15 @@ public:
     /** What collect() measured. */
     std::string statistics();
 
+    /** Compiles a file. What is wrong; empty if it can be executed. */
+    std::string check(const std::string& file);
+
 private:
     void report(const std::string& error) const;
     void step(lua_State* lua, double budget);
 
     const std::shared_ptr<State> state_;
+    const boost::intrusive_ptr<const RTT::internal::EngineGate> gate_;
     bool stepped_ = false;  // Lua does not collect by itself
     std::uint64_t steps_ = 0, cycles_ = 0;
     double longest_ = 0, total_ = 0;

@@ -2,20 +2,17 @@
 // Copyright Oroforge contributors
 #include "state.hpp"
 
-#include "bindings.hpp"
 #include "conversion.hpp"
 #include "engine_hook.hpp"
+#include "open_libraries.hpp"
 #include "owned_things.hpp"
-#include "search_paths.hpp"
 
 #include <rtt/ExecutionEngine.hpp>
 #include <rtt/TaskContext.hpp>
 #include <rtt/internal/engine/interruption.hpp>
-#include <rtt/internal/engine/script_place.hpp>
 #include <rtt/os/fosi.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <exception>
 
 namespace OCL::lua {
@@ -29,68 +26,6 @@ constexpr int kInstructions = 1000;
 constexpr unsigned kDeepest = 150;
 thread_local unsigned nesting = 0;
 
-char collectorKey, bouncerKey;
-
-/** A function of C and its argument. */
-struct Bounce {
-    lua_CFunction function;
-    void* data;
-};
-
-/** As lua_cpcall() does it, but without making a function, which allocates. */
-int bounce(lua_State* lua) {
-    const Bounce* const to = static_cast<const Bounce*>(lua_touserdata(lua, 1));
-    lua_settop(lua, 0);
-    lua_pushlightuserdata(lua, to->data);
-    return to->function(lua);
-}
-
-int collectGarbage(lua_State* lua) {
-    (void)lua_gc(lua, LUA_GCCOLLECT, 0);
-    return 0;
-}
-
-void open(lua_State* lua) {
-    luaL_openlibs(lua);
-    lua_pushlightuserdata(lua, &collectorKey);
-    lua_pushcfunction(lua, &collectGarbage);
-    lua_rawset(lua, LUA_REGISTRYINDEX);
-    lua_pushlightuserdata(lua, &bouncerKey);
-    lua_pushcfunction(lua, &bounce);
-    lua_rawset(lua, LUA_REGISTRYINDEX);
-    openModule(lua);
-    setSearchPaths(lua);
-}
-
-int addTraceback(lua_State* lua) {
-    if (!lua_isstring(lua, 1)) return 1;
-    lua_getglobal(lua, "debug");
-    if (!lua_istable(lua, -1)) {
-        lua_pop(lua, 1);
-        return 1;
-    }
-    lua_getfield(lua, -1, "traceback");
-    if (!lua_isfunction(lua, -1)) {
-        lua_pop(lua, 2);
-        return 1;
-    }
-    lua_pushvalue(lua, 1);
-    lua_pushinteger(lua, 2);
-    lua_call(lua, 2, 1);
-    return 1;
-}
-
-/** The error on the stack, which need not be a text. Raises no error itself. */
-std::string takeMessage(lua_State* lua) {
-    std::string message;
-    if (lua_type(lua, -1) == LUA_TSTRING)
-        message = lua_tostring(lua, -1);
-    else
-        message = std::string("(error object is a ") + luaL_typename(lua, -1) + " value)";
-    lua_pop(lua, 1);
-    return message;
-}
-
 }  // namespace
 
 State::State(RTT::TaskContext& owner, std::unique_ptr<Memory> memory)
@@ -102,7 +37,7 @@ State::State(RTT::TaskContext& owner, std::unique_ptr<Memory> memory)
     std::string error;
     try {
         if (protect(error, [this](lua_State* lua) {
-                open(lua);
+                openLibraries(lua);
                 makeThread();
             }))
             return;
@@ -117,13 +52,9 @@ State::State(RTT::TaskContext& owner, std::unique_ptr<Memory> memory)
 State::~State() {
     // Their functions may be waiting for this state.
     for (const auto& hook : hooks_) hook->disable();
-    {
-        const Entry entry(*this);
-        lua_sethook(main_, nullptr, 0, 0);
-    }
-    enter();
+    const Lock lock(*this);
+    lua_sethook(main_, nullptr, 0, 0);
     lua_close(main_);
-    exit();
 }
 
 void State::enter() {
@@ -155,12 +86,20 @@ void State::makeRoom() {
 
 State::Entry::Entry(State& state) : state_(state) {
     if (nesting == kDeepest) throw Failure("Lua and C++ call each other too deeply");
-    ++nesting;
     state.enter();
-    lua_ = state.takeThread();
+    try {
+        lua_ = state.takeThread();
+    } catch (...) {
+        state.exit();
+        throw;
+    }
+    outer_ = state.current_;
+    state.current_ = lua_;
+    ++nesting;
 }
 
 State::Entry::~Entry() {
+    state_.current_ = outer_;
     state_.giveBack(lua_);
     state_.exit();
     --nesting;
@@ -169,9 +108,11 @@ State::Entry::~Entry() {
 State::Leave::Leave(State& state)
     : state_(state),
       depth_(state.depth_),
+      lua_(state.current_),
       since_(state.deadline_ ? rtos_get_time_ns() : 0),
       deadline_(state.deadline_) {
     state.depth_ = 0;
+    state.current_ = nullptr;
     state.deadline_ = 0;
     state.inside_.store(std::thread::id(), std::memory_order_relaxed);
     state.mutex_.unlock();
@@ -181,11 +122,14 @@ State::Leave::~Leave() {
     state_.mutex_.lock();
     state_.inside_.store(std::this_thread::get_id(), std::memory_order_relaxed);
     state_.depth_ = depth_;
+    state_.current_ = lua_;
     state_.deadline_ = deadline_ ? deadline_ + (rtos_get_time_ns() - since_) : 0;
 }
 
 State::Limit::Limit(State& state, double seconds) : state_(state), outer_(state.deadline_) {
-    if (seconds > 0 && !outer_) state.deadline_ = rtos_get_time_ns() + static_cast<std::int64_t>(seconds * 1e9);
+    constexpr double kForEver = 1e9;
+    if (seconds > 0 && seconds < kForEver && !outer_)
+        state.deadline_ = rtos_get_time_ns() + static_cast<std::int64_t>(seconds * 1e9);
 }
 
 State::Limit::~Limit() { state_.deadline_ = outer_; }
@@ -218,7 +162,8 @@ void State::makeThread() {
 
 void State::giveBack(lua_State* lua) {
     lua_settop(lua, 0);
-    if (lua_gethookcount(lua) == 1) countTo(lua, kInstructions);
+    // Lua code may have changed it by debug.sethook().
+    if (lua_gethook(lua) != &State::onCount || lua_gethookcount(lua) != kInstructions) countTo(lua, kInstructions);
     if (lua == main_)
         mainTaken_ = false;
     else
@@ -234,6 +179,10 @@ void State::look(lua_State* lua) { failIfAsked(lua, 1); }
 
 /** The message has the place of the caller at this level of the stack. */
 void State::failIfAsked(lua_State* lua, int level) {
+    if (refused_) {
+        refused_ = false;
+        (void)lua_gc(lua, LUA_GCCOLLECT, 0);
+    }
     const RTT::internal::Interruption* const asked = RTT::internal::Interruption::ofThisThread();
     const bool interrupted = interrupted_.load(std::memory_order_relaxed) || (asked && asked->asked());
     if (!interrupted && !(deadline_ && rtos_get_time_ns() > deadline_)) {
@@ -248,6 +197,12 @@ void State::failIfAsked(lua_State* lua, int level) {
     lua_error(lua);
 }
 
+void State::refused() {
+    refused_ = true;
+    // Code that catches the error needs memory soon.
+    if (current_) countTo(current_, 1);
+}
+
 void State::countTo(lua_State* lua, int instructions) {
     // Between hooks for lines, Lua itself does not note where it is.
     lua_sethook(lua, &State::onCount, LUA_MASKCOUNT | (exactLines_ ? LUA_MASKLINE : 0), instructions);
@@ -256,90 +211,6 @@ void State::countTo(lua_State* lua, int instructions) {
 void State::end(lua_State* lua) {
     interrupt();
     countTo(lua, 1);
-}
-
-namespace {
-
-/** "file:line" of the innermost Lua code. Allocates nothing. */
-void describePlace(void* interpreter, char* text, std::size_t size) {
-    auto* const lua = static_cast<lua_State*>(interpreter);
-    lua_Debug where;
-    for (int level = 0; lua_getstack(lua, level, &where) == 1; ++level) {
-        if (lua_getinfo(lua, "Sl", &where) == 0 || where.currentline <= 0) continue;
-        const char* const file = where.source[0] == '@' ? where.source + 1 : where.short_src;
-        std::snprintf(text, size, "%s:%d", file, where.currentline);
-        return;
-    }
-}
-
-}  // namespace
-
-bool State::call(lua_State* lua, int arguments, int results, bool traced) {
-    int handler = 0;
-    if (traced) {
-        handler = lua_gettop(lua) - arguments;
-        lua_pushcfunction(lua, &addTraceback);
-        lua_insert(lua, handler);
-    }
-    int status;
-    {
-        using RTT::internal::Interruption;
-        const Interruption::Region script(Interruption::ofThisThread(), Interruption::Region::Script);
-        const RTT::internal::ScriptPlace place(&describePlace, lua);
-        status = lua_pcall(lua, arguments, results, handler);
-    }
-    if (handler) lua_remove(lua, handler);
-    return status == 0;
-}
-
-bool State::protectCall(lua_State* lua, lua_CFunction function, void* data, std::string& error) {
-    using RTT::internal::Interruption;
-    const Interruption::Region script(Interruption::ofThisThread(), Interruption::Region::Script);
-    const RTT::internal::ScriptPlace place(&describePlace, lua);
-    int status;
-    lua_pushlightuserdata(lua, &bouncerKey);
-    lua_rawget(lua, LUA_REGISTRYINDEX);
-    if (lua_isnil(lua, -1)) {
-        lua_pop(lua, 1);
-        status = lua_cpcall(lua, function, data);
-    } else {
-        Bounce to{function, data};
-        lua_pushlightuserdata(lua, &to);
-        status = lua_pcall(lua, 1, 0, 0);
-    }
-    if (status == 0) return true;
-    error = takeMessage(lua);
-    if (status == LUA_ERRMEM) collectAll(lua);
-    return false;
-}
-
-/** Lua itself does not try this when memory is used up. */
-void State::collectAll(lua_State* lua) {
-    lua_pushlightuserdata(lua, &collectorKey);
-    lua_rawget(lua, LUA_REGISTRYINDEX);
-    if (lua_pcall(lua, 0, 0, 0) != 0) lua_pop(lua, 1);
-}
-
-bool State::runFile(const std::string& file, std::string& error) {
-    return protect(error, [&](lua_State* lua) {
-        if (luaL_loadfile(lua, file.c_str()) != 0) lua_error(lua);
-        lua_call(lua, 0, 0);
-    });
-}
-
-std::string State::check(const std::string& file) {
-    std::string error;
-    (void)protect(error, [&](lua_State* lua) {
-        if (luaL_loadfile(lua, file.c_str()) != 0) lua_error(lua);
-    });
-    return error;
-}
-
-bool State::runText(const std::string& text, const std::string& name, std::string& error) {
-    return protect(error, [&](lua_State* lua) {
-        if (luaL_loadbuffer(lua, text.data(), text.size(), name.c_str()) != 0) lua_error(lua);
-        lua_call(lua, 0, 0);
-    });
 }
 
 void State::keep(std::shared_ptr<EngineHook> hook) {

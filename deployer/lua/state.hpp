@@ -55,7 +55,8 @@ public:
         return *static_cast<Memory*>(memory)->state;
     }
 
-    /** While one exists, this thread is inside. Blocks until others have left. They nest. Lives on the stack. */
+    /** While one exists, this thread is inside. Blocks until others have left. They nest. Lives on the stack. Throws
+        Failure and std::bad_alloc. */
     class Entry {
     public:
         explicit Entry(State& state);
@@ -67,7 +68,20 @@ public:
 
     private:
         State& state_;
+        lua_State* outer_;  // of the entry around this one
         lua_State* lua_;
+    };
+
+    /** The same without a Lua thread, for what is not Lua code. */
+    class Lock {
+    public:
+        explicit Lock(State& state) : state_(state) { state.enter(); }
+        ~Lock() { state_.exit(); }
+        Lock(const Lock&) = delete;
+        Lock& operator=(const Lock&) = delete;
+
+    private:
+        State& state_;
     };
 
     /** While one exists, this thread, which is inside, has left for other threads. */
@@ -81,6 +95,7 @@ public:
     private:
         State& state_;
         const unsigned depth_;
+        lua_State* const lua_;
         const std::int64_t since_;
         const std::int64_t deadline_;
         const RTT::internal::ScriptPlace noPlace_{nullptr, nullptr};
@@ -109,6 +124,11 @@ public:
     void look(lua_State* lua);
     /** Inside: as interrupt(), and no further instruction of this Lua thread is executed. */
     void end(lua_State* lua);
+    /** Inside: the next instruction of this Lua thread looks, see look(). */
+    void lookSoon(lua_State* lua) { countTo(lua, 1); }
+
+    /** For functions of the engine and operations in Lua that the component's thread executes: the limit of hooks. */
+    std::atomic<double> limit{0};
 
     /** Inside: calls the function below its arguments on the stack. False if it fails; then the message, with a
         traceback if `traced`, is the only value left of them. */
@@ -117,9 +137,8 @@ public:
         in `error`. Outside of this, and of call(), an error of Lua ends the process; even the lack of memory is one. */
     template <class Function>
     bool protect(std::string& error, Function&& function) {
-        const Entry entry(*this);
         void* const data = const_cast<void*>(static_cast<const void*>(&function));
-        return protectCall(entry.lua(), &guarded<&State::invoke<std::remove_reference_t<Function>>>, data, error);
+        return protectCall(&guarded<&State::invoke<std::remove_reference_t<Function>>>, data, error);
     }
     /** Runs a file or a text in the calling thread. False if it fails, with the message in `error`. */
     bool runFile(const std::string& file, std::string& error);
@@ -139,6 +158,8 @@ public:
     /** Inside: a hook that goes on when no Lua code knows it any more. The state's end disables it. */
     void keep(std::shared_ptr<EngineHook> hook);
     Memory& memory() { return *memory_; }
+    /** For the memory: a request was refused. Lua itself collects nothing then. */
+    void refused();
     /** Bytes in use by Lua. Any thread. */
     std::size_t bytes();
     /** Of the outermost entry of this thread: for the interpreter of a program. */
@@ -154,6 +175,7 @@ private:
         (*static_cast<Function*>(lua_touserdata(lua, 1)))(lua);
         return 0;
     }
+    bool protectCall(lua_CFunction function, void* data, std::string& error);
     bool protectCall(lua_State* lua, lua_CFunction function, void* data, std::string& error);
     void collectAll(lua_State* lua);
     void makeThread();
@@ -175,6 +197,8 @@ private:
     unsigned depth_ = 0;  // entries of the thread inside
     lua_State* main_ = nullptr;
     bool mainTaken_ = false;
+    lua_State* current_ = nullptr;  // of the entry of the thread inside
+    bool refused_ = false;
     std::vector<lua_State*> idle_;
     std::atomic<bool> interrupted_{false};
     std::int64_t deadline_ = 0;  // monotonic, ns; 0 for none

@@ -46,14 +46,19 @@ struct Property : Held<RTT::base::PropertyBase> {
 struct Attribute : Held<RTT::base::AttributeBase> {
     static constexpr const char* kName = "Attribute";
 };
+/** A sample that Lua code reads or writes. */
+struct Sample {
+    RTT::base::DataSourceBase::shared_ptr value;
+    bool busy;  ///< a thread that has left uses it
+};
 struct InputPort : Held<RTT::base::InputPortInterface> {
     static constexpr const char* kName = "InputPort";
-    RTT::base::DataSourceBase::shared_ptr sample;
+    std::shared_ptr<Sample> sample;
     const Conversion* conversion;
 };
 struct OutputPort : Held<RTT::base::OutputPortInterface> {
     static constexpr const char* kName = "OutputPort";
-    RTT::base::DataSourceBase::shared_ptr sample;
+    std::shared_ptr<Sample> sample;
     const Conversion* conversion;
 };
 
@@ -61,7 +66,7 @@ class OperationCall;
 
 struct Operation {
     static constexpr const char* kName = "Operation";
-    std::unique_ptr<OperationCall> call;
+    std::shared_ptr<OperationCall> call;
 };
 
 struct SendHandle {

@@ -98,6 +98,50 @@ TEST_F(LuaFault, WrongArgumentsAreNamed) {
     EXPECT_THAT(failure("rtt.getTC():addOperation('start', 'void()', print)"), HasSubstr("already"));
 }
 
+TEST_F(LuaFault, ManyArgumentsAndValuesHaveRoom) {
+    ASSERT_TRUE(
+        run("local tc, s, v = rtt.getTC(), {}, {}\n"
+            "for i = 1, 100 do s[i] = 'int& a' .. i v[i] = i end\n"
+            "tc:addOperation('many', 'void(' .. table.concat(s, ',') .. ')', function(...) return ... end, "
+            "{thread = 'OwnThread'})\n"
+            "local op = tc:getOperation('many')\n"
+            "op(unpack(v))\n"
+            "handle = op:send(unpack(v))"));
+    component.update();
+    ASSERT_TRUE(run("local all = {handle:collect()} assert(#all == 101 and all[101] == 100)"));
+}
+
+TEST_F(LuaFault, APropertyBelongsToOneComponentOnly) {
+    ASSERT_TRUE(run("p = rtt.Property('int', 'a', '') tc = rtt.getTC() tc:addProperty(p)"));
+    EXPECT_THAT(failure("tc:addProperty(p, 'b')"), HasSubstr("already"));
+    EXPECT_THAT(failure("tc:addProperty(tc:getProperty('a'))"), HasSubstr("has made"));
+    ASSERT_TRUE(run("rtt.TaskContext.getProperty(tc, 'a'):delete()"));
+    EXPECT_THAT(failure("tc:addProperty(p)"), HasSubstr("was deleted"));
+    EXPECT_EQ(nullptr, component.getProperty("a"));
+}
+
+TEST_F(LuaFault, PortsOfOthersAreNotTaken) {
+    OCL::HelloWorld peer("peer");
+    component.addPeer(&peer);
+    EXPECT_THAT(failure("rtt.getTC():addPort(rtt.getTC():getPeer('peer'):getPort('the_results'))"),
+                HasSubstr("has made"));
+    EXPECT_NE(nullptr, peer.getPort("the_results"));
+}
+
+TEST_F(LuaFault, NoHookOfTheDebugLibraryOutlivesItsCode) {
+    set("lua_timeout", 0.1);
+    ASSERT_TRUE(run("debug.sethook() function updateHook() while true do end end"));
+    ASSERT_TRUE(component.configure());
+    ASSERT_TRUE(component.start());
+    component.update();
+    EXPECT_EQ(RTT::TaskContext::Exception, component.getTaskState());
+}
+
+TEST_F(LuaFault, TheServiceNeedsAComponent) {
+    EXPECT_FALSE(run("assert(rtt.provides('Lua'))"));
+    (void)run("rtt.provides():getOperation('require')('Lua')");
+}
+
 TEST_F(LuaFault, MetamethodsAndFinalizersStandNonsense) {
     // What Lua code finds with debug and getmetatable().
     const char* const attacks[] = {
@@ -106,6 +150,14 @@ TEST_F(LuaFault, MetamethodsAndFinalizersStandNonsense) {
         "local v = rtt.Variable.new('int') getmetatable(v).__gc(v) return v:tolua()",
         "local p = rtt.InputPort.new('int', 'x') getmetatable(p).__gc(p) p:read()",
         "local v = rtt.Variable.new('int') debug.setmetatable(v, {}) return v.x",
+        "debug.setmetatable(newproxy(), getmetatable(rtt.Variable('int'))).x = 1",
+        "local v = rtt.Variable('int') local l = v:tolud() debug.setmetatable(l, getmetatable(v)) return l.x",
+        "local tc = rtt.getTC() tc:addOperation('g', 'void()', function() getmetatable(op).__gc(op) end)"
+        " op = tc:getOperation('g') op()",
+        "rtt.operations_first() local tc = rtt.getTC() p = newproxy(true)"
+        " getmetatable(p).__gc = function() tc:isRunning() end tc:isRunning() p = nil tc = nil collectgarbage()",
+        "rtt.operations_first() local tc = rtt.getTC() q = newproxy(true)"
+        " getmetatable(q).__gc = function() tc:isRunning() end tc:isRunning()",
         "local v = rtt.Variable.new('array') v:resize(-1) v:resize(1e300) v:resize(0/0)",
         "local v = rtt.Variable.new('array') return v[-1]",
         "local v = rtt.Variable.new('array') v:resize(2) v[1e18] = 1",

@@ -70,6 +70,12 @@ TEST_F(LuaPool, AFullPoolFailsTheCodeAndNotTheComponent) {
     EXPECT_EQ(RTT::TaskContext::Exception, component.getTaskState());
 }
 
+TEST_F(LuaPool, CodeThatCatchesTheErrorGoesOn) {
+    EXPECT_TRUE(
+        component.exec_str("for i = 1, 20 do pcall(function() local s while true do s = {s} end end) end\n"
+                           "local t = {} for i = 1, 1000 do t[i] = {} end"));
+}
+
 TEST_F(LuaPool, GrowsOnRequestOnly) {
     EXPECT_FALSE(component.exec_str("big = ('x'):rep(3 * 2^20)"));
     EXPECT_TRUE(component.tlsf_incmem(16u << 20));
