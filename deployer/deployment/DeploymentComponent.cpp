@@ -198,6 +198,12 @@ bool DeploymentComponent::connectOperations(const string& requested, const strin
 // --- activities -----------------------------------------------------------------------------------------------------
 
 bool DeploymentComponent::setActivity(const string& name, double period, int priority, int scheduler) {
+    constexpr double kLikelyPriority = 10;
+    if (period > kLikelyPriority && priority == 0 && scheduler == ORO_SCHED_RT)
+        log(RTT::Warning) << "component '" << name << "' gets a period of " << period
+                          << " s and priority 0 in a real-time scheduler; setActivity() takes the name, the period in "
+                             "seconds, the priority and the scheduler, in this order"
+                          << endlog();
     return impl_->components.setActivity(name, ActivityKind::Activity, {period, priority, scheduler});
 }
 bool DeploymentComponent::setActivityOnCPU(const string& name, double period, int priority, int scheduler,

@@ -59,6 +59,15 @@ TEST_F(LuaDeployer, AFailingScriptIsLocatedAndEndsTheProgram) {
     EXPECT_THAT(by.out + by.err, HasSubstr("'nobody'"));
 }
 
+TEST_F(LuaDeployer, PeriodAndPriorityInTheWrongOrderGetAHint) {
+    write("slides.lua",
+          "local d = rtt.getTC() d:import('ocl') d:loadComponent('h', 'OCL::HelloWorld')\n"
+          "print(d:setActivity('h', 98, 0.01, rtt.globals.ORO_SCHED_RT))");
+    const Outcome by = script({"slides.lua"});
+    EXPECT_THAT(by.out + by.err, HasSubstr("a period of 98 s and priority 0"));
+    EXPECT_THAT(by.out + by.err, HasSubstr("in this order"));
+}
+
 TEST_F(LuaDeployer, XmlComponentsRunLuaScripts) {
     write("hooks.lua", "function startHook() print('started by lua') return true end");
     write("app.xml",
