@@ -55,10 +55,8 @@ int read(lua_State* lua) {
     }
     const RTT::FlowStatus status = port.thing->read(port.sample);
     lua_pushstring(lua, nameOf(status));
-    if (status == RTT::NoData)
-        lua_pushnil(lua);
-    else
-        pushCopy(lua, *port.conversion, *port.sample);
+    // Scripts use the value without looking at the status.
+    pushCopy(lua, *port.conversion, status == RTT::NoData ? *port.nothing : *port.sample);
     return 2;
 }
 
@@ -166,7 +164,11 @@ int describe(lua_State* lua) {
 template <class Box, class Port>
 void push(lua_State* lua, Held<Port> held) {
     const RTT::types::TypeInfo* const type = held.thing->getTypeInfo();
-    pushBox<Box>(lua, std::move(held), type->buildValue(), &State::of(lua).conversion(type));
+    const Conversion* const conversion = &State::of(lua).conversion(type);
+    if constexpr (std::is_same_v<Box, InputPort>)
+        pushBox<Box>(lua, std::move(held), type->buildValue(), conversion, type->buildValue());
+    else
+        pushBox<Box>(lua, std::move(held), type->buildValue(), conversion);
 }
 
 template <class Box, class Port>
