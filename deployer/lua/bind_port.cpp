@@ -56,10 +56,8 @@ int read(lua_State* lua) {
     }
     const RTT::FlowStatus status = port.thing->read(port.sample->value);
     lua_pushstring(lua, nameOf(status));
-    if (status == RTT::NoData)
-        lua_pushnil(lua);
-    else
-        pushCopy(lua, *port.conversion, *port.sample->value);
+    // Scripts use the value without looking at the status.
+    pushCopy(lua, *port.conversion, status == RTT::NoData ? *port.nothing : *port.sample->value);
     return 2;
 }
 
@@ -181,8 +179,12 @@ int describe(lua_State* lua) {
 template <class Box, class Port>
 void push(lua_State* lua, Held<Port> held) {
     const RTT::types::TypeInfo* const type = held.thing->getTypeInfo();
+    const Conversion* const conversion = &State::of(lua).conversion(type);
     const auto sample = std::make_shared<Sample>(Sample{type->buildValue(), false});
-    pushBox<Box>(lua, std::move(held), sample, &State::of(lua).conversion(type));
+    if constexpr (std::is_same_v<Box, InputPort>)
+        pushBox<Box>(lua, std::move(held), sample, conversion, type->buildValue());
+    else
+        pushBox<Box>(lua, std::move(held), sample, conversion);
 }
 
 template <class Box, class Port>

@@ -179,6 +179,7 @@ private:
     bool protectCall(lua_State* lua, lua_CFunction function, void* data, std::string& error);
     void collectAll(lua_State* lua);
     void makeThread();
+    void lock();
     void enter();
     void exit();
     lua_State* takeThread();

@@ -55,6 +55,7 @@ struct InputPort : Held<RTT::base::InputPortInterface> {
     static constexpr const char* kName = "InputPort";
     std::shared_ptr<Sample> sample;
     const Conversion* conversion;
+    RTT::base::DataSourceBase::shared_ptr nothing;  ///< what is read when there is no data
 };
 struct OutputPort : Held<RTT::base::OutputPortInterface> {
     static constexpr const char* kName = "OutputPort";

@@ -123,6 +123,35 @@ TEST_F(LuaDeployer, RealTimeChecksNameTheLuaLine) {
     const Outcome by = runUntil("all is done", {"--rt-check", "-s", "app.lua"}, SIGTERM);
     EXPECT_THAT(by.err, HasSubstr("loop.lua:3: error: [RTC001] component 'c' allocates memory in updateHook()"));
 }
+
+TEST_F(LuaDeployer, RealTimeChecksFindNothingInAComponentWithAPool) {
+    write("sum.lua",
+          "local out = rtt.OutputPort('double', 'out') rtt.getTC():addPort(out)\n"
+          "local total = 0\n"
+          "function updateHook()\n"
+          "  total = total + 0.5\n"
+          "  local sample = {total}\n"
+          "  out:write(sample[1])\n"
+          "end\n");
+    write("watch.lua", "function updateHook() print('all is done') io.stdout:flush() end\n");
+    write("app.lua",
+          "local d = rtt.getTC()\n"
+          "d:import('ocl')\n"
+          "local function load(name, type, file, period, priority, scheduler)\n"
+          "  d:loadComponent(name, type)\n"
+          "  local c = d:getPeer(name)\n"
+          "  d:setActivity(name, period, priority, rtt.globals_get(scheduler))\n"
+          "  assert(c:exec_file(file) and c:configure())\n"
+          "  return c\n"
+          "end\n"
+          "local sum = load('sum', 'OCL::LuaTLSFComponent', 'sum.lua', 0.001, 10, 'ORO_SCHED_RT')\n"
+          "sum:getProperty('lua_gc_budget'):set(0.0001)\n"
+          "assert(sum:start())\n"
+          "rtt.sleep(0.5)\n"
+          "assert(load('watch', 'OCL::LuaComponent', 'watch.lua', 0.1, 0, 'ORO_SCHED_OTHER'):start())\n");
+    const Outcome by = runUntil("all is done", {"--rt-check", "-s", "app.lua"}, SIGTERM);
+    EXPECT_THAT(by.err, HasSubstr("--rt-check: 0 findings in "));
+}
 #endif
 
 TEST_F(LuaDeployer, ASignalEndsAnEndlessScript) {

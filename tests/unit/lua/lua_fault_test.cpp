@@ -149,7 +149,8 @@ TEST_F(LuaFault, MetamethodsAndFinalizersStandNonsense) {
         "local v = rtt.Variable.new('int') local gc = getmetatable(v).__gc gc(v) gc(v)",
         "local v = rtt.Variable.new('int') getmetatable(v).__gc(v) return v:tolua()",
         "local p = rtt.InputPort.new('int', 'x') getmetatable(p).__gc(p) p:read()",
-        "local v = rtt.Variable.new('int') debug.setmetatable(v, {}) return v.x",
+        "local v = rtt.Variable.new('int') local m = getmetatable(v) debug.setmetatable(v, {})"
+        " pcall(function() return v.x end) debug.setmetatable(v, m)",
         "debug.setmetatable(newproxy(), getmetatable(rtt.Variable('int'))).x = 1",
         "local v = rtt.Variable('int') local l = v:tolud() debug.setmetatable(l, getmetatable(v)) return l.x",
         "local tc = rtt.getTC() tc:addOperation('g', 'void()', function() getmetatable(op).__gc(op) end)"
