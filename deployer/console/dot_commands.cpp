@@ -6,6 +6,7 @@
 #include "table.hpp"
 
 #include <diag/nearest_match.hpp>
+#include <rtt/OperationCaller.hpp>
 #include <rtt/base/PortInterface.hpp>
 #include <rtt/plugin/PluginLoader.hpp>
 #include <rtt/scripting/Scripting.hpp>
@@ -180,6 +181,22 @@ void unloadStateMachine(ConsoleState& state, const Input& input) {
     forEachWord(state, input, &RTT::Scripting::unloadStateMachine, "the name of a state machine");
 }
 
+/** Loads the service Lua into the present component and executes a file, or the code itself. */
+void lua(ConsoleState& state, const Input& input) {
+    if (!hasWords(state, input, 1, "code of Lua, or a file FILE.lua")) return;
+    RTT::TaskContext& component = *state.context();
+    const RTT::Service::shared_ptr service =
+        component.loadService("Lua") ? component.provides()->getService("Lua") : nullptr;
+    if (!service) return complain(state.screen, input, input.words[0].begin, "the service 'Lua' cannot be loaded");
+    const std::string code = input.from(1);
+    const std::string suffix = ".lua";
+    const bool isFile = input.words.size() == 2 && code.size() > suffix.size() &&
+                        code.compare(code.size() - suffix.size(), suffix.size(), suffix) == 0;
+    RTT::OperationCaller<bool(const std::string&)> run(service->getOperation(isFile ? "exec_file" : "exec_str"));
+    if (!run.ready() || !run(code))
+        complain(state.screen, input, input.words[1].begin, "that failed; the log says why");
+}
+
 }  // namespace
 
 const std::vector<Command>& dotCommands() {
@@ -196,6 +213,8 @@ const std::vector<Command>& dotCommands() {
         {".loadStateMachine", "FILE…", "loads state machines into the present component", Argument::File,
          &loadStateMachine},
         {".unloadStateMachine", "NAME…", "stops and removes state machines", Argument::Scripted, &unloadStateMachine},
+        {".lua", "FILE.lua|CODE…", "executes a file, or code, in Lua; rtt.getTC() is the present component",
+         Argument::File, &lua},
         {".record", "NAME", "makes a function of the lines that are typed from now on", Argument::None, &beginMacro},
         {".end", "", "writes it to NAME.ops and loads it", Argument::None, &endMacro},
         {".cancel", "", "forgets it", Argument::None, &cancelMacro},

@@ -92,7 +92,9 @@ void OperationCall::evaluate(const Source& call) {
     } catch (const RTT::internal::Interrupted&) {
         throw;
     } catch (const std::exception& error) {
-        fail(error.what());
+        const std::string why = error.what(), named = "operation '" + part_->getName() + "'";
+        if (why.compare(0, named.size(), named) == 0) throw Failure(why);
+        fail(why);
     }
     if (!done) fail("it was not executed");
 }

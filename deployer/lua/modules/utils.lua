@@ -164,6 +164,18 @@ function utils.map(func, tab)
    return made
 end
 
+--- The same for a list, in its order.
+function utils.imap(func, list)
+   local made = {}
+   for index, value in ipairs(list) do made[#made + 1] = func(value, index) end
+   return made
+end
+
+--- Calls `func(value, key)` for each value of a table.
+function utils.foreach(func, tab)
+   for key, value in pairs(tab) do func(value, key) end
+end
+
 --- The values of a list for which `func(value, index)` is true.
 function utils.filter(func, list)
    local made = {}

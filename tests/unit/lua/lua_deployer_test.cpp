@@ -104,6 +104,17 @@ TEST_F(LuaDeployer, CheckCompilesAndExecutesNothing) {
     EXPECT_THAT(bad.out + bad.err, HasSubstr("bad.lua:2:"));
 }
 
+TEST_F(LuaDeployer, TheConsoleExecutesFilesAndCode) {
+    write("a.lua", "x = 20 print('file of ' .. rtt.getTC():getName())");
+    oroforge::test::Command console = command({});
+    console.input = ".lua a.lua\n.lua print('sum', x + 1)\n.lua error('on purpose')\n.lua\n";
+    const Outcome by = oroforge::test::run(console);
+    EXPECT_THAT(by.out + by.err, HasSubstr("file of Deployer"));
+    EXPECT_THAT(by.out + by.err, HasSubstr("sum\t21"));
+    EXPECT_THAT(by.out + by.err, HasSubstr("on purpose"));
+    EXPECT_THAT(by.out + by.err, HasSubstr("expected code of Lua"));
+}
+
 #ifdef WITH_RT_CHECK
 TEST_F(LuaDeployer, RealTimeChecksNameTheLuaLine) {
     write("loop.lua",

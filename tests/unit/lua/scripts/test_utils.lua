@@ -74,4 +74,9 @@ check.equal("\27[31mx\27[0m", a.red .. "x" .. a.reset)
 check.equal("\27[31mx\27[0m", a.red("x"))
 check.equal("\27[1m\27[44m", a.bright .. a.onblue)
 check.equal("\27[32m", tostring(a.green))
+
+check.equal({ 2, 4 }, u.imap(function(x) return 2 * x end, { 1, 2 }))
+local seen = {}
+u.foreach(function(value, key) seen[key] = value end, { a = 1, 5 })
+check.equal({ 5, a = 1 }, seen)
 check.done()
