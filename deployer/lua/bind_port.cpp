@@ -206,14 +206,14 @@ int makeOutput(lua_State* lua) { return make<OutputPort>(lua, &RTT::types::TypeI
 template <class Box, int (*Make)(lua_State*), int (*Use)(lua_State*)>
 void bind(lua_State* lua, const char* use) {
     const luaL_Reg methods[] = {{"new", &guarded<Make>},
-                                {use, &guarded<Use>},
-                                {"info", &guarded<&info<Box>>},
-                                {"connect", &guarded<&connect<Box>>},
-                                {"disconnect", &guarded<&disconnect<Box>>},
-                                {"delete", &guarded<&remove<Box>>},
+                                {use, &guarded<&inUse<Box, Use>>},
+                                {"info", &guarded<&inUse<Box, &info<Box>>>},
+                                {"connect", &guarded<&inUse<Box, &connect<Box>>>},
+                                {"disconnect", &guarded<&inUse<Box, &disconnect<Box>>>},
+                                {"delete", &guarded<&inUse<Box, &remove<Box>>>},
                                 {nullptr, nullptr}};
     const luaL_Reg events[] = {
-        {"__tostring", &guarded<&describe<Box>>}, {"__gc", &guarded<&collect<Box>>}, {nullptr, nullptr}};
+        {"__tostring", &guarded<&inUse<Box, &describe<Box>>>}, {"__gc", &guarded<&collect<Box>>}, {nullptr, nullptr}};
     registerKind<Box>(lua, methods, events);
 }
 

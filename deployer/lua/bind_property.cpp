@@ -161,13 +161,17 @@ int makeAttribute(lua_State* lua) {
 }
 
 template <class Box>
-int index(lua_State* lua) {
-    lua_pushvalue(lua, 2);
-    lua_rawget(lua, lua_upvalueindex(1));
-    if (!lua_isnil(lua, -1)) return 1;
+int member(lua_State* lua) {
     const Box& box = self<Box>(lua);
     pushValue(lua, memberAt(lua, 2, valueOf(box)), box.life);
     return 1;
+}
+
+template <class Box>
+int index(lua_State* lua) {
+    lua_pushvalue(lua, 2);
+    lua_rawget(lua, lua_upvalueindex(1));
+    return lua_isnil(lua, -1) ? inUse<Box, &member<Box>>(lua) : 1;
 }
 
 template <class Box>
@@ -190,15 +194,15 @@ int describe(lua_State* lua) {
 template <class Box, int (*Make)(lua_State*), int (*Info)(lua_State*)>
 void bind(lua_State* lua) {
     const luaL_Reg methods[] = {{"new", &guarded<Make>},
-                                {"get", &guarded<&get<Box>>},
-                                {"getRaw", &guarded<&getRaw<Box>>},
-                                {"set", &guarded<&set<Box>>},
-                                {"info", &guarded<Info>},
-                                {"delete", &guarded<&remove<Box>>},
+                                {"get", &guarded<&inUse<Box, &get<Box>>>},
+                                {"getRaw", &guarded<&inUse<Box, &getRaw<Box>>>},
+                                {"set", &guarded<&inUse<Box, &set<Box>>>},
+                                {"info", &guarded<&inUse<Box, Info>>},
+                                {"delete", &guarded<&inUse<Box, &remove<Box>>>},
                                 {nullptr, nullptr}};
     const luaL_Reg events[] = {{"__index", &guarded<&index<Box>>},
-                               {"__newindex", &guarded<&setIndex<Box>>},
-                               {"__tostring", &guarded<&describe<Box>>},
+                               {"__newindex", &guarded<&inUse<Box, &setIndex<Box>>>},
+                               {"__tostring", &guarded<&inUse<Box, &describe<Box>>>},
                                {"__gc", &guarded<&collect<Box>>},
                                {nullptr, nullptr}};
     registerKind<Box>(lua, methods, events);

@@ -76,15 +76,15 @@ int pushRequester(lua_State* lua, RTT::ServiceRequester::shared_ptr requester, c
 }
 
 void bindRequester(lua_State* lua) {
-    const luaL_Reg methods[] = {{"getRequestName", &guarded<&name>},
-                                {"getRequesterNames", &guarded<&requesterNames>},
-                                {"getOperationCallerNames", &guarded<&operationNames>},
-                                {"ready", &guarded<&ready>},
-                                {"disconnect", &guarded<&disconnect>},
-                                {"connectTo", &guarded<&connectTo>},
-                                {"requires", &guarded<&requires_>},
+    const luaL_Reg methods[] = {{"getRequestName", &guarded<&inUse<RequesterBox, &name>>},
+                                {"getRequesterNames", &guarded<&inUse<RequesterBox, &requesterNames>>},
+                                {"getOperationCallerNames", &guarded<&inUse<RequesterBox, &operationNames>>},
+                                {"ready", &guarded<&inUse<RequesterBox, &ready>>},
+                                {"disconnect", &guarded<&inUse<RequesterBox, &disconnect>>},
+                                {"connectTo", &guarded<&inUse<RequesterBox, &connectTo>>},
+                                {"requires", &guarded<&inUse<RequesterBox, &requires_>>},
                                 {nullptr, nullptr}};
-    const luaL_Reg events[] = {{"__tostring", &guarded<&describe>}, {nullptr, nullptr}};
+    const luaL_Reg events[] = {{"__tostring", &guarded<&inUse<RequesterBox, &describe>>}, {nullptr, nullptr}};
     registerKind<RequesterBox>(lua, methods, events);
 }
 

@@ -45,24 +45,26 @@ int describe(lua_State* lua) {
 
 void bindService(lua_State* lua) {
     typedef Members<&serviceOf> Own;
-    const luaL_Reg methods[] = {{"getName", &guarded<&name>},
-                                {"doc", &guarded<&doc>},
-                                {"getProviderNames", &guarded<&Own::providerNames>},
-                                {"getOperationNames", &guarded<&Own::operationNames>},
-                                {"hasOperation", &guarded<&Own::hasOperation>},
-                                {"getPortNames", &guarded<&Own::portNames>},
-                                {"provides", &guarded<&Own::provides>},
-                                {"getOperation", &guarded<&Own::operation>},
-                                {"getOperationInfo", &guarded<&Own::operationInfo>},
-                                {"getPort", &guarded<&Own::port>},
-                                {"getProperty", &guarded<&Own::property>},
-                                {"getProperties", &guarded<&Own::properties>},
-                                {"getPropertyNames", &guarded<&Own::propertyNames>},
-                                {"getAttribute", &guarded<&Own::attribute>},
-                                {"getAttributes", &guarded<&Own::attributes>},
-                                {"getAttributeNames", &guarded<&Own::attributeNames>},
+    const luaL_Reg methods[] = {{"getName", &guarded<&inUse<ServiceBox, &name>>},
+                                {"doc", &guarded<&inUse<ServiceBox, &doc>>},
+                                {"getProviderNames", &guarded<&inUse<ServiceBox, &Own::providerNames>>},
+                                {"getOperationNames", &guarded<&inUse<ServiceBox, &Own::operationNames>>},
+                                {"hasOperation", &guarded<&inUse<ServiceBox, &Own::hasOperation>>},
+                                {"getPortNames", &guarded<&inUse<ServiceBox, &Own::portNames>>},
+                                {"provides", &guarded<&inUse<ServiceBox, &Own::provides>>},
+                                {"getOperation", &guarded<&inUse<ServiceBox, &Own::operation>>},
+                                {"getOperationInfo", &guarded<&inUse<ServiceBox, &Own::operationInfo>>},
+                                {"getPort", &guarded<&inUse<ServiceBox, &Own::port>>},
+                                {"getProperty", &guarded<&inUse<ServiceBox, &Own::property>>},
+                                {"getProperties", &guarded<&inUse<ServiceBox, &Own::properties>>},
+                                {"getPropertyNames", &guarded<&inUse<ServiceBox, &Own::propertyNames>>},
+                                {"getAttribute", &guarded<&inUse<ServiceBox, &Own::attribute>>},
+                                {"getAttributes", &guarded<&inUse<ServiceBox, &Own::attributes>>},
+                                {"getAttributeNames", &guarded<&inUse<ServiceBox, &Own::attributeNames>>},
                                 {nullptr, nullptr}};
-    const luaL_Reg events[] = {{"__index", &guarded<&index>}, {"__tostring", &guarded<&describe>}, {nullptr, nullptr}};
+    const luaL_Reg events[] = {{"__index", &guarded<&inUse<ServiceBox, &index>>},
+                               {"__tostring", &guarded<&inUse<ServiceBox, &describe>>},
+                               {nullptr, nullptr}};
     registerKind<ServiceBox>(lua, methods, events);
 }
 

@@ -5,6 +5,7 @@
 #define OCL_LUA_BOX_HPP
 
 #include "failure.hpp"
+#include "life.hpp"
 
 #include <new>
 #include <utility>
@@ -81,6 +82,15 @@ void destroyBox(lua_State* lua, int index) {
     detail::pushMetatable(lua, Kind<T>::deletedKey());
     lua_setmetatable(lua, index);
     box.~T();
+}
+
+/** `Function`, for a T that belongs to a component: no other thread destroys that meanwhile. */
+template <class T, int (*Function)(lua_State*)>
+int inUse(lua_State* lua) {
+    const T* const box = findBox<T>(lua, 1);
+    if (!box) return Function(lua);
+    const Life::Use use(box->life, Kind<T>::name());
+    return Function(lua);
 }
 
 /** The event __gc. */

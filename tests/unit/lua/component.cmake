@@ -12,7 +12,7 @@ oroforge_add_test(lua_component_test
 
 oroforge_add_test(lua_thread_test LABELS unit concurrent
   SOURCES lua_thread_test.cpp
-  LIBS orocos-ocl-lua orocos-ocl-deployment oroforge_test_support
+  LIBS orocos-ocl-lua orocos-ocl-helloworld orocos-ocl-deployment oroforge_test_support
   INCLUDES ${PROJECT_SOURCE_DIR}/tests/unit
   DEFINITIONS ${lua_definitions} DEPENDS ${lua_library} rtt-typekit rtt-scripting
   ENVIRONMENT ORO_LOGLEVEL=0 ORO_LOGFILE=/dev/null)

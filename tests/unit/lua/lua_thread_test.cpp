@@ -3,6 +3,7 @@
 // One interpreter, many threads.
 #include "lua_fixture.hpp"
 
+#include <ocl/HelloWorld.hpp>
 #include <rtt/Activity.hpp>
 #include <rtt/OperationCaller.hpp>
 #include <rtt/internal/GlobalEngine.hpp>
@@ -98,6 +99,26 @@ TEST_F(LuaThreads, AComponentMayBeDestroyedWhileOthersCallIt) {
         delete gone;
         over = true;
         caller.join();
+    }
+}
+
+TEST_F(LuaThreads, ComponentsMayBeDestroyedWhileLuaCodeUsesThem) {
+    for (int round = 0; round != 50; ++round) {
+        auto* const peer = new OCL::HelloWorld("peer");
+        a.addPeer(peer);
+        ASSERT_TRUE(
+            a.exec_str("peer = rtt.getTC():getPeer('peer') property = peer:getProperty('the_property')\n"
+                       "port = peer:getPort('the_results') op = peer:getOperation('the_method')"));
+        std::thread user([this] {
+            EXPECT_TRUE(
+                a.exec_str("local function use()\n"
+                           "  peer:getState() peer:getPortNames() peer:getOps() property:get() port:info() op()\n"
+                           "end\n"
+                           "for i = 1, 1e6 do if not pcall(use) then break end end"));
+        });
+        usleep(500);
+        delete peer;
+        user.join();
     }
 }
 
