@@ -210,11 +210,4 @@ TEST_F(DeployerScripts, TakeDownTheComponentAndForTheTimeThatPropertiesOfTheDepl
         HasSubstr("'shutdownWait_ms' of the deployer has type int and value 0, expected an int above 0; 50 is used"));
 }
 
-TEST_F(DeployerScripts, OfLuaNeedItsService) {
-    directory_.write("app.lua", "print('hello')\n");
-    const Outcome outcome = run(command({"-s", "app.lua"}));
-    EXPECT_EQ(255, outcome.status);
-    EXPECT_THAT(outcome.err, HasSubstr("could not run script 'app.lua': the service 'Lua' is not installed"));
-}
-
 }  // namespace
