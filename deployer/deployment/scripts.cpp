@@ -100,12 +100,15 @@ std::string serviceFor(ScriptPlan::Kind kind, const std::string& file) { return 
 bool runScript(RTT::TaskContext& component, ScriptPlan::Kind kind, const std::string& file, std::string& error) {
     const Interpreter interpreter = interpreterOf(kind, file);
     const std::string service = std::string("the service '") + interpreter.service + "'";
-    if (!loadInterpreter(component, interpreter.service)) {
+    // A component of Lua has an interpreter itself, in which functions are its hooks.
+    const bool isOfLua = isLua(file) && component.provides()->getPart(interpreter.operation);
+    if (!isOfLua && !loadInterpreter(component, interpreter.service)) {
         error = service + " is not installed";
         return false;
     }
-    RTT::OperationCaller<bool(const std::string&)> run(
-        component.provides()->getService(interpreter.service)->getOperation(interpreter.operation));
+    const RTT::Service::shared_ptr owner =
+        isOfLua ? component.provides() : component.provides()->getService(interpreter.service);
+    RTT::OperationCaller<bool(const std::string&)> run(owner->getOperation(interpreter.operation));
     if (!run.ready()) {
         error = service + " has no operation '" + interpreter.operation + "'";
         return false;

@@ -87,6 +87,16 @@ TEST_F(LuaDeployer, XmlComponentsRunLuaScripts) {
     EXPECT_EQ(0, by.status) << by.out + by.err;
     EXPECT_THAT(by.out + by.err, HasSubstr("started by lua"));
     EXPECT_THAT(by.out + by.err, HasSubstr("owner is h"));
+    write("run.lua", "function configureHook() print('configured by lua') return true end");
+    write("own.xml",
+          "<?xml version=\"1.0\"?>\n<properties>\n"
+          "<simple name=\"Import\" type=\"string\"><value>ocl</value></simple>\n"
+          "<struct name=\"c\" type=\"OCL::LuaComponent\">\n"
+          "<simple name=\"RunScript\" type=\"string\"><value>run.lua</value></simple>\n"
+          "<simple name=\"AutoConf\" type=\"boolean\"><value>1</value></simple>\n</struct>\n</properties>\n");
+    const Outcome own = script({"own.xml"});
+    EXPECT_EQ(0, own.status) << own.out + own.err;
+    EXPECT_THAT(own.out + own.err, HasSubstr("configured by lua"));
     write("run.lua", "x = = 1");
     const Outcome check = deploy({"--check", "app.xml"});
     EXPECT_NE(0, check.status);
