@@ -8,6 +8,7 @@
 #include <rtt/OperationCaller.hpp>
 #include <rtt/Service.hpp>
 #include <rtt/TaskContext.hpp>
+#include <rtt/internal/GlobalEngine.hpp>
 #include <rtt/internal/engine/hook_in_progress.hpp>
 
 #include <algorithm>
@@ -108,7 +109,8 @@ bool runScript(RTT::TaskContext& component, ScriptPlan::Kind kind, const std::st
     }
     const RTT::Service::shared_ptr owner =
         isOfLua ? component.provides() : component.provides()->getService(interpreter.service);
-    RTT::OperationCaller<bool(const std::string&)> run(owner->getOperation(interpreter.operation));
+    RTT::OperationCaller<bool(const std::string&)> run(owner->getOperation(interpreter.operation),
+                                                       RTT::internal::GlobalEngine::Instance());
     if (!run.ready()) {
         error = service + " has no operation '" + interpreter.operation + "'";
         return false;
