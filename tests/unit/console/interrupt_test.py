@@ -3,6 +3,7 @@
 """Ctrl-C, and signals that end the console, while a command is executed."""
 import os
 import signal
+import time
 
 from deployer_case import PROMPT, DeployerCase, main
 
@@ -128,6 +129,11 @@ class Interrupts(Case):
                 program.send(CTRL_C)
             # Each of them makes the terminal forget what it has not shown yet.
             program.wait(lambda: program.screen().endswith(PROMPT.rstrip()), "the prompt")
+            # The last ones may come after the prompt, and would interrupt the next statement.
+            seen = None
+            while seen != program.screen():
+                seen = program.screen()
+                time.sleep(0.2)
         program.send("1 + 1\r")  # some of them may be keys of the prompts meanwhile
         program.wait_for("\n = 2\n" + PROMPT.rstrip())
 
