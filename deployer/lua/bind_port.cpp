@@ -4,6 +4,7 @@
 #include "bindings.hpp"
 #include "box.hpp"
 #include "busy.hpp"
+#include "collect_held.hpp"
 #include "conversion.hpp"
 #include "owned_things.hpp"
 #include "port_access.hpp"
@@ -159,15 +160,6 @@ int remove(lua_State* lua) {
 }
 
 template <class Box>
-int collect(lua_State* lua) {
-    if (Box* const box = findBox<Box>(lua, 1)) {
-        if (box->exists && *box->exists) State::of(lua).owned().forget(box->thing);
-        destroyBox<Box>(lua, 1);
-    }
-    return 0;
-}
-
-template <class Box>
 int describe(lua_State* lua) {
     const Box& box = portBox<Box>(lua, 1);
     pushText(lua, box.thing->getName() + " [" + (std::is_same_v<Box, InputPort> ? "in" : "out") + ", " +
@@ -212,8 +204,9 @@ void bind(lua_State* lua, const char* use) {
                                 {"disconnect", &guarded<&inUse<Box, &disconnect<Box>>>},
                                 {"delete", &guarded<&inUse<Box, &remove<Box>>>},
                                 {nullptr, nullptr}};
-    const luaL_Reg events[] = {
-        {"__tostring", &guarded<&inUse<Box, &describe<Box>>>}, {"__gc", &guarded<&collect<Box>>}, {nullptr, nullptr}};
+    const luaL_Reg events[] = {{"__tostring", &guarded<&inUse<Box, &describe<Box>>>},
+                               {"__gc", &guarded<&collectHeld<Box>>},
+                               {nullptr, nullptr}};
     registerKind<Box>(lua, methods, events);
 }
 

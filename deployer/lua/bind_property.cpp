@@ -3,6 +3,7 @@
 // Properties and attributes.
 #include "bindings.hpp"
 #include "box.hpp"
+#include "collect_held.hpp"
 #include "conversion.hpp"
 #include "member_access.hpp"
 #include "owned_things.hpp"
@@ -111,15 +112,6 @@ int remove(lua_State* lua) {
     return 0;
 }
 
-template <class Box>
-int collect(lua_State* lua) {
-    if (Box* const box = findBox<Box>(lua, 1)) {
-        if (box->exists && *box->exists) State::of(lua).owned().forget(box->thing);
-        destroyBox<Box>(lua, 1);
-    }
-    return 0;
-}
-
 std::string typeOf(const Source& value) { return value ? value->getTypeName() : "unknown_t"; }
 
 int propertyInfo(lua_State* lua) {
@@ -203,7 +195,7 @@ void bind(lua_State* lua) {
     const luaL_Reg events[] = {{"__index", &guarded<&index<Box>>},
                                {"__newindex", &guarded<&inUse<Box, &setIndex<Box>>>},
                                {"__tostring", &guarded<&inUse<Box, &describe<Box>>>},
-                               {"__gc", &guarded<&collect<Box>>},
+                               {"__gc", &guarded<&collectHeld<Box>>},
                                {nullptr, nullptr}};
     registerKind<Box>(lua, methods, events);
 }

@@ -5,9 +5,6 @@
 #define OCL_LUA_MEMORY_HPP
 
 #include <cstddef>
-#include <cstdint>
-#include <memory>
-#include <string>
 #include <vector>
 
 namespace RTT::os::detail {

@@ -162,8 +162,6 @@ public:
     void refused();
     /** Bytes in use by Lua. Any thread. */
     std::size_t bytes();
-    /** Of the outermost entry of this thread: for the interpreter of a program. */
-    lua_State* main() const { return main_; }
 
     /** Inside: operations of components and services hide methods of the same name, see operation_lookup.hpp. */
     bool operationsFirst = false;
