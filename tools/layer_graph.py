@@ -6,7 +6,7 @@ import pathlib
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 # Longest matching prefix wins.
 GROUPS = {"generator/": "generators", "typekit_gen/": "generators", "templates/": "generators", "deployer/": "deployer",
-          "runtime/": "runtime"}
+          "runtime/": "runtime", "ros/": "ROS"}
 
 
 def existing(layer_of):

@@ -37,7 +37,8 @@ LAYER_OF = {
     "runtime/rtt/scripting/detail/syntax/": "syntax",   # the grammar of scripts: no component, no type
     "runtime/rtt/transports/corba/": "corba",
     "runtime/rtt/transports/mqueue/": "mqueue",
-    "runtime/ros/": "ros",
+    "ros/rtt_": "ros",
+    "ros/std_msgs/": "ros",
     "deployer/ocl/": "ocl",
     "deployer/deployment/": "deployment",
     "deployer/console/": "console",
@@ -100,7 +101,7 @@ MAY_INCLUDE = {
     "scripting": OUTER | {"extras", "syntax"},
     "corba": OUTER | {"encoding"},
     "mqueue": OUTER | {"encoding"},
-    "ros": OUTER | {"marsh"},
+    "ros": OUTER | {"encoding", "marsh", "loader", "extras", "umbrella", "typekit", "scripting", "ocl", "deployment"},
     "ocl": API | {"umbrella", "plugin", "extras", "marsh", "loader"},
     "deployment": DEPLOYER | {"corba", "cpf"},
     "console": DEPLOYER,
@@ -134,7 +135,7 @@ MAY_INCLUDE = {
 }
 
 # Where <a/b.hpp> is looked for, in the order of the include path.
-INCLUDE_ROOTS = ["runtime/", "deployer/", "generator/", "typekit_gen/"]
+INCLUDE_ROOTS = ["runtime/", "deployer/", "generator/", "typekit_gen/", "ros/"]
 
 # header name (regular expression, from the start) -> folders that alone may include it
 FOREIGN = {
@@ -143,7 +144,7 @@ FOREIGN = {
     r"mqueue\.h": ["runtime/rtt/transports/mqueue/", "deployer/rt_check/", "tests/unit/transports/", "bench/"],
     r"(lua5\.\d/)?(lua|lauxlib|lualib)\.h(pp)?": ["deployer/lua/"],
     r"(histedit\.h|editline/|readline/)": ["deployer/console/"],
-    r"(ros|roscpp|tf2?|actionlib|dynamic_reconfigure)/": ["runtime/ros/"],
+    r"(ros|roscpp|tf2?|actionlib|dynamic_reconfigure)/": ["ros/", "tests/unit/ros_"],
     # Of the runtime, what stays out of components and their libraries.
     r"nlohmann/": ["runtime/report/", "runtime/rtt/encoding/", "generator/", "typekit_gen/", "tests/"],
     r"kainjow/": ["generator/render/"],
