@@ -29,6 +29,7 @@ public:
     /// (Again) on the same port. False if it does not answer within 10 s.
     bool start();
     void stop();
+    void send(int signal) { process_->send(signal); }
     const std::string& uri() const { return uri_; }
     std::string folder() const { return folder_.path().string(); }
 

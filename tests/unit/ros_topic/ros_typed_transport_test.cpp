@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// Transports that users write: for a type of theirs, and by the publish activity.
+#include "node.hpp"
+
+#include <rtt/InputPort.hpp>
+#include <rtt/OutputPort.hpp>
+#include <rtt/TaskContext.hpp>
+#include <rtt/types/TemplateTypeInfo.hpp>
+#include <rtt_roscomm/rtt_rostopic_ros_msg_transporter.hpp>
+#include <std_msgs/Float64.h>
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+
+namespace {
+
+/** Metres per second here, kilometres per hour in messages. */
+struct Speed {
+    double value = 0;
+};
+
+}  // namespace
+
+namespace rtt_roscomm {
+template <>
+struct RosMessageAdapter<Speed> {
+    typedef Speed OrocosType;
+    typedef std_msgs::Float64 RosType;
+    static RosType toRos(const OrocosType& speed) {
+        RosType message;
+        message.data = speed.value * 3.6;
+        return message;
+    }
+    static OrocosType fromRos(const RosType& message) {
+        Speed speed;
+        speed.value = message.data / 3.6;
+        return speed;
+    }
+};
+}  // namespace rtt_roscomm
+
+namespace {
+
+using namespace rtt_roscomm;
+using ros_test::soon;
+
+TEST(RosTypedTransport, TheAdapterMakesTheMessages) {
+    const ros_test::Node node;
+    RTT::types::Types()->addType(new RTT::types::TemplateTypeInfo<Speed>("/Speed"));
+    ASSERT_TRUE(RTT::types::Types()->type("/Speed")->addProtocol(ORO_ROS_PROTOCOL_ID, new RosMsgTransporter<Speed>()));
+    RTT::TaskContext component("c");
+    RTT::OutputPort<Speed> out("out");
+    RTT::InputPort<Speed> in("in");
+    RTT::InputPort<double> seen("seen");
+    component.addPort(out);
+    component.addPort(in);
+    component.addPort(seen);
+    ASSERT_TRUE(out.createStream(topic("/speed")));
+    ASSERT_TRUE(in.createStream(topic("/speed")));
+    ASSERT_TRUE(seen.createStream(topic("/speed")));
+    Speed speed, read;
+    speed.value = 10;
+    ASSERT_TRUE(soon([&] {
+        out.write(speed);
+        return in.read(read) == RTT::NewData;
+    }));
+    EXPECT_DOUBLE_EQ(10, read.value);
+    double message = 0;
+    ASSERT_TRUE(soon([&] { return seen.read(message) == RTT::NewData; }));
+    EXPECT_DOUBLE_EQ(36, message);
+    EXPECT_EQ("/speed", in.getManager()->getConnections().front().get<1>()->getInputEndPoint()->getRemoteURI());
+    in.disconnect();
+    out.disconnect();
+    EXPECT_FALSE(in.connected());
+}
+
+TEST(RosTypedTransport, PublishersOfUsersAreCalledByTheActivity) {
+    struct Counter : RosPublisher {
+        void publish() override { ++calls; }
+        std::atomic<int> calls{0};
+    } counter;
+    const RosPublishActivity::shared_ptr activity = RosPublishActivity::Instance();
+    activity->addPublisher(&counter);
+    EXPECT_EQ(ORO_SCHED_OTHER, activity->getScheduler());
+    EXPECT_TRUE(activity->isActive());
+    const int before = counter.calls;
+    activity->trigger();
+    EXPECT_TRUE(soon([&] { return counter.calls > before; }));
+    activity->removePublisher(&counter);
+    EXPECT_FALSE(activity->isActive());
+    const int after = counter.calls;
+    activity->trigger();
+    EXPECT_EQ(after, counter.calls);
+}
+
+TEST(RosTypedTransport, APublisherRemovesItself) {
+    struct Leaving : RosPublisher {
+        void publish() override {
+            RosPublishActivity::Instance()->removePublisher(this);
+            hasLeft = true;
+        }
+        std::atomic<bool> hasLeft{false};
+    } leaving;
+    RosPublishActivity::Instance()->addPublisher(&leaving);
+    RosPublishActivity::Instance()->trigger();
+    EXPECT_TRUE(soon([&] { return leaving.hasLeft.load(); }));
+}
+
+}  // namespace
