@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright Oroforge contributors
-# Debian packages of the toolchain, by cpack (./dev package): runtime, dev and tools, which together are a full installation.
+# Debian packages of the toolchain, by cpack (./dev package): runtime, dev and tools, and ros where ROS is installed, which
+# together are a full installation.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME oroforge)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
@@ -12,6 +13,9 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
   OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 set(CPACK_COMPONENTS_ALL runtime dev tools)
+if(TARGET rtt_rostopic)
+  list(APPEND CPACK_COMPONENTS_ALL ros)
+endif()
 set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -58,6 +62,15 @@ set(CPACK_DEBIAN_TOOLS_PACKAGE_SHLIBDEPS ON)
 # typegen needs clang's own headers.
 set(CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS libclang-common-19-dev)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_RECOMMENDS "oroforge-dev ${same_version}")
+
+set(CPACK_COMPONENT_ROS_DESCRIPTION "components of Oroforge as nodes of ROS 1
+The packages rtt_ros and those around it: topics, services, parameters and
+time of ROS for components, types for its messages, and launch files.")
+set(CPACK_DEBIAN_ROS_PACKAGE_NAME oroforge-ros)
+set(CPACK_DEBIAN_ROS_PACKAGE_SECTION libs)
+set(CPACK_DEBIAN_ROS_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_ROS_PACKAGE_DEPENDS "oroforge-runtime ${same_version}")
+set(CPACK_DEBIAN_ROS_PACKAGE_RECOMMENDS "oroforge-dev ${same_version}, libroscpp-dev, libstd-msgs-dev")
 
 # Files that only Debian packages need.
 set(folder ${PROJECT_BINARY_DIR}/packaging)

@@ -23,7 +23,11 @@ trap 'umount -l "$root/proc" "$root/dev" 2> /dev/null; rm -rf --one-file-system 
 echo "== the packages"
 rm -rf "$build/packages"
 (cd "$build" && cpack > packages.log 2>&1) || { cat "$build/packages.log"; fail "cpack"; }
-for part in runtime dev tools; do
+parts=(runtime dev tools)
+for file in "$build"/packages/oroforge-ros_*.deb; do
+  [ ! -f "$file" ] || parts+=(ros)  # of a build with ROS
+done
+for part in "${parts[@]}"; do
   file=$(echo "$build"/packages/oroforge-"$part"_*.deb)
   [ -f "$file" ] || fail "no package oroforge-$part"
   dpkg-deb --field "$file" Package Version Depends Installed-Size
@@ -38,8 +42,8 @@ expect_packaged runtime /usr/bin/deployer-gnulinux
 expect_packaged runtime /etc/profile.d/oroforge.sh
 expect_packaged tools /usr/bin/typegen
 expect_packaged dev /usr/include/rtt/TaskContext.hpp
-# The three are all of an installation, but for env.sh.
-for part in runtime dev tools; do contents $part; done | awk '$6 ~ /[^\/]$/ && $6 !~ /share\/doc|^\.\/etc\// { print substr($6, 7) }' | sort > "$root/packaged"
+# Together they are all of an installation, but for env.sh.
+for part in "${parts[@]}"; do contents "$part"; done | awk '$6 ~ /[^\/]$/ && $6 !~ /share\/doc|^\.\/etc\// { print substr($6, 7) }' | sort > "$root/packaged"
 cmake --install "$build" --prefix "$root/all" > /dev/null
 (cd "$root/all" && find . -not -type d -not -name env.sh | sed 's|^\./||' | sort) | diff - "$root/packaged" || fail "the packages are not what is installed"
 rm -r "$root/all" "$root/packaged"
@@ -98,6 +102,6 @@ grep -q 'export OROCOS_TARGET=gnulinux' "$root/refused" || fail "the wrapper doe
 inside su - robot -c /packages/steps > "$build/steps.log" 2>&1 || { cat "$build/steps.log"; fail "the first steps"; }
 
 echo "== and away again"
-inside sh -c 'apt-get purge -y -q oroforge-runtime oroforge-dev oroforge-tools' > "$build/apt.log" 2>&1 || { cat "$build/apt.log"; fail "apt-get purge"; }
+inside sh -c 'apt-get purge -y -q "oroforge-*"' > "$build/apt.log" 2>&1 || { cat "$build/apt.log"; fail "apt-get purge"; }
 [ ! -e "$root/etc/profile.d/oroforge.sh" ] || fail "the settings of shells stay behind"
 [ -z "$(find "$root/usr" -name '*orocos*' -o -name typegen)" ] || fail "files stay behind"

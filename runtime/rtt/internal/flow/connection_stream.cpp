@@ -8,6 +8,7 @@
 #include <rtt/base/InputPortInterface.hpp>
 #include <rtt/base/OutputPortInterface.hpp>
 #include <rtt/internal/ConnID.hpp>
+#include <rtt/internal/flow/sample_type_name.hpp>
 #include <rtt/internal/flow/storage_core.hpp>
 #include <rtt/types/Schema.hpp>
 #include <rtt/types/TypeInfo.hpp>
@@ -63,6 +64,17 @@ bool isSeenAlike(const base::PortInterface& port, const types::TypeInfo& type) {
     return false;
 }
 
+/** Transports of ROS come with packages of types, whose names follow from those of the types. */
+std::string hint(const ConnPolicy& policy, const std::string& typeName) {
+    constexpr int kRos = 3;
+    if (policy.transport != kRos) return {};
+    std::string package = "std_msgs";  // has those of plain types, too
+    const std::size_t begin = typeName.find_first_not_of("/:");
+    const std::size_t end = begin == std::string::npos ? begin : typeName.find_first_of("/:.", begin);
+    if (end != std::string::npos) package = typeName.substr(begin, end - begin);
+    return ": import rtt_roscomm and rtt_" + package;
+}
+
 /** The channel element of the transport; null, with errors logged, if there is none. */
 base::ChannelElementBase::shared_ptr transportElement(base::PortInterface& port, ConnPolicy const& policy,
                                                       bool sender) {
@@ -77,7 +89,7 @@ base::ChannelElementBase::shared_ptr transportElement(base::PortInterface& port,
         log(Error) << "could not create transport stream for " << describe(port) << " with transport id "
                    << policy.transport << endlog();
         log(Error) << "no such transport registered; check policy.transport, or load the transport for type "
-                   << (type ? type->getTypeName() : std::string("unknown_t")) << endlog();
+                   << sampleTypeName(port) << hint(policy, sampleTypeName(port)) << endlog();
         return nullptr;
     }
     if (!isSeenAlike(port, *type)) return nullptr;
