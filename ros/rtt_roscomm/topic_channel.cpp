@@ -2,6 +2,9 @@
 // Copyright Oroforge contributors
 #include <rtt_roscomm/topic_channel.hpp>
 
+#include <rtt/base/DataSourceBase.hpp>
+#include <rtt/base/PortInterface.hpp>
+#include <rtt/types/TypeInfo.hpp>
 #include <rtt_roscomm/detail/topic_name.hpp>
 #include <rtt_roscomm/detail/topic_reader.hpp>
 #include <rtt_roscomm/detail/topic_writer.hpp>
@@ -74,7 +77,10 @@ private:
 ChannelElementBase::shared_ptr newTopicChannel(RTT::base::PortInterface& port, const RTT::ConnPolicy& policy,
                                                std::shared_ptr<const MessageFormat> format, bool isSender) {
     std::string why;
-    if (policy.pull)
+    const RTT::base::DataSourceBase::shared_ptr first = port.getTypeInfo()->buildValue();
+    if (!port.getTypeInfo()->getOps() || !first || !first->getRawConstPointer())
+        why = "its type has no default value";
+    else if (policy.pull)
         why = "the samples of a topic cannot be pulled; set policy.pull to false";
     else if (!isSender && policy.name_id.empty())
         why = "policy.name_id is empty";

@@ -92,7 +92,7 @@ void MasterWatch::addUser() {
 
 void MasterWatch::removeUser() {
     const std::lock_guard<std::mutex> lock(mutex_);
-    --users_;
+    if (--users_ == 0) changed_.notify_all();
 }
 
 void MasterWatch::addService(const std::string& name) {
@@ -113,12 +113,13 @@ void MasterWatch::removeService(const std::string& name) {
 
 void MasterWatch::run() {
     std::unique_lock<std::mutex> lock(mutex_);
-    while (isRunning_) {
+    while (isRunning_ && users_ != 0) {
         lock.unlock();
         if (!ros::isShuttingDown()) look();
         lock.lock();
-        changed_.wait_for(lock, std::chrono::seconds(1), [this] { return !isRunning_; });
+        changed_.wait_for(lock, std::chrono::seconds(1), [this] { return !isRunning_ || users_ == 0; });
     }
+    isRunning_ = false;
 }
 
 void MasterWatch::look() {

@@ -13,7 +13,7 @@ namespace rtt_roscomm::detail {
 struct TopicState {
     std::string topic, message, described;
     std::uint64_t samples = 0;  ///< published or received
-    std::uint64_t lost = 0;     ///< refused by a full buffer, or no samples
+    std::uint64_t lost = 0;     ///< for which a buffer had no room, or messages that were no samples
     unsigned peers = 0;
 };
 

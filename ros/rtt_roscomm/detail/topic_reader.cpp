@@ -75,7 +75,8 @@ public:
         const void* const outer = std::exchange(writing, this);
         {
             const RTT::internal::Reclaimer::Guard guard;
-            (void)element_->RTT::base::ChannelElementBase::writeErased(sample.get());
+            if (element_->RTT::base::ChannelElementBase::writeErased(sample.get()) == RTT::WriteFailure)
+                refused_.fetch_add(1, std::memory_order_relaxed);
         }
         writing = outer;
     }

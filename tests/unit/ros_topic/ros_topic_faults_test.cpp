@@ -54,7 +54,8 @@ TEST_F(RosTopicFaults, ATypeWithoutATransportIsRefused) {
     component.addPort(out);
     LogCapture log;
     EXPECT_FALSE(out.createStream(topic("/t")));
-    EXPECT_THAT(log.finish(), AllOf(HasSubstr("c.out"), HasSubstr("char"), HasSubstr("import rtt_roscomm and rtt_std_msgs")));
+    EXPECT_THAT(log.finish(),
+                AllOf(HasSubstr("c.out"), HasSubstr("char"), HasSubstr("import rtt_roscomm and rtt_std_msgs")));
 }
 
 TEST_F(RosTopicFaults, AMessageWithoutATypekitNamesThePackage) {
