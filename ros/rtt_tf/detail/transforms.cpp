@@ -17,7 +17,7 @@ namespace {
 
 enum Reason : unsigned { NotConfigured = 1, NoName = 2, Unknown = 4, Apart = 8, OtherTime = 16, Other = 32 };
 /** Beyond the kinds of Refusal. */
-constexpr unsigned kNotTaken = 1024;
+constexpr unsigned kNotTaken = 1024, kRepeated = 2048;
 constexpr std::size_t kMostFrames = 20;
 
 std::string knownFrames(const tf2::BufferCore& buffer) {
@@ -68,6 +68,7 @@ unsigned lookup(const tf2::BufferCore* buffer, const std::string& target, const 
 void Transforms::open(const ros::Duration& cache) {
     const auto made = std::make_shared<tf2::BufferCore>(cache);
     for (Reported* const each : {&received_, &lookups_.reported, &tracks_.reported, &questions_.reported}) each->clear();
+    newest_.clear();
     const std::lock_guard<std::mutex> lock(mutex_);
     buffer_ = made;
 }
@@ -93,9 +94,11 @@ void Transforms::insert(const tf2_msgs::TFMessage& message, bool isStatic) {
         if (const Refusal refusal = check(one)) {
             why = refusal.text;
             reason = refusal.kind;
+        } else if (isRepeated(one, isStatic)) {
+            why = "the transform to frame '" + one.child_frame_id + "' has the time of the one before";
+            reason = kRepeated;
         } else if (!to->setTransform(one, name_, isStatic)) {
-            why = "the transform to frame '" + one.child_frame_id +
-                  "' is older than cache_time, or has the time of the one before";
+            why = "the transform to frame '" + one.child_frame_id + "' is older than cache_time, or was there already";
             reason = kNotTaken;
         }
         if (reason == 0) {
@@ -106,7 +109,17 @@ void Transforms::insert(const tf2_msgs::TFMessage& message, bool isStatic) {
     }
 }
 
+// tf2 ignores them as well, but writes two lines to the console for each.
+bool Transforms::isRepeated(const Stamped& transform, bool isStatic) {
+    if (isStatic) return false;
+    const auto [found, isFirst] = newest_.emplace(transform.child_frame_id, transform.header.stamp);
+    if (!isFirst && found->second == transform.header.stamp) return true;
+    if (found->second < transform.header.stamp) found->second = transform.header.stamp;
+    return false;
+}
+
 void Transforms::forgetMoving() {
+    newest_.clear();
     if (const Buffer of = buffer()) of->clear();
 }
 

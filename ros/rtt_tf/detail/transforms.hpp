@@ -12,6 +12,8 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <unordered_map>
+#include <utility>
 
 namespace tf2 {
 class BufferCore;
@@ -31,7 +33,7 @@ public:
     /** Begins anew, without transforms. */
     void open(const ros::Duration& cache);
     void close();
-    /** Malformed transforms are left out, and logged. */
+    /** Malformed transforms are left out, and logged. Only one thread may call this, open() and forgetMoving(). */
     void insert(const tf2_msgs::TFMessage& message, bool isStatic);
     /** All but static transforms. */
     void forgetMoving();
@@ -54,11 +56,13 @@ private:
     };
 
     Buffer buffer() const;
+    bool isRepeated(const Stamped& transform, bool isStatic);
     bool find(Use& use, Frame target, Frame source, const ros::Time& time, Stamped& result);
 
     const std::string name_;
     mutable std::mutex mutex_;
     Buffer buffer_;
+    std::unordered_map<std::string, ros::Time> newest_;  // of each child that moves
     Reported received_;
     Use lookups_{RTT::Error, {}}, tracks_{RTT::Warning, {}}, questions_{RTT::Debug, {}};
 };
