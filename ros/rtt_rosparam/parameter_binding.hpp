@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef RTT_ROSPARAM_PARAMETER_BINDING_HPP
+#define RTT_ROSPARAM_PARAMETER_BINDING_HPP
+
+#include <string>
+#include <typeinfo>
+
+namespace rtt_rosparam {
+
+/**
+ * A parameter whose value is one of a C++ type: a number, a text, a sequence of them, or any type of a typekit that is
+ * loaded. Two threads must not use one binding at the same time. Not real-time safe.
+ */
+class ParameterBinding {
+public:
+    ParameterBinding(const std::string& name, const std::type_info& type) : name_(name), type_(&type) {}
+
+    const std::string& name() const { return name_; }
+
+    /**
+     * Sets the value from the parameter: from roscpp's cache, which the master keeps up to date, after the first time.
+     * That asks the master and blocks up to 5 s if it does not answer. False, with an error logged if it is another one
+     * than before, if the parameter is not set or cannot be converted. The value is then some valid value.
+     */
+    bool read(void* value);
+    /** Sets the parameter, and waits for the master. False, with an error logged, if that fails. */
+    bool write(const void* value);
+
+private:
+    bool report(const std::string& problem);
+
+    std::string name_;
+    const std::type_info* type_;
+    bool isCached_ = false;
+    std::string reported_;
+};
+
+}  // namespace rtt_rosparam
+
+#endif
