@@ -8,12 +8,33 @@
 #include "detail/names.hpp"
 #include "detail/read_value.hpp"
 
+#include <ros/init.h>
 #include <ros/param.h>
 #include <rtt/Logger.hpp>
 
 namespace rtt_rosparam {
 
 using namespace RTT;
+
+struct ParameterBinding::Lent {
+    XmlRpc::XmlRpcValue value;  // invalid if it cannot be a parameter
+};
+
+namespace {
+
+bool fetch(const std::string& name, bool isCached, XmlRpc::XmlRpcValue& value) {
+    // Without its own server the node would never learn of changes.
+    if (!ros::isStarted()) return master::get(name, value);
+    // roscpp's own call waits for ever if the master hangs.
+    if (!isCached) master::check();
+    return ros::param::getCached(name, value);
+}
+
+}  // namespace
+
+ParameterBinding::ParameterBinding(const std::string& name, const std::type_info& type) : name_(name), type_(&type) {}
+
+ParameterBinding::~ParameterBinding() = default;
 
 bool ParameterBinding::report(const std::string& problem) {
     if (problem.empty()) {
@@ -29,12 +50,11 @@ bool ParameterBinding::read(void* value) {
     const Logger::In in("rosparam");
     return report(problemIn([&] {
         const std::string full = resolved(name_);
-        // roscpp's own call waits for ever if the master hangs.
-        if (!isCached_) master::check();
         XmlRpc::XmlRpcValue found;
-        if (!ros::param::getCached(full, found)) throw Failure("parameter '" + full + "' is not set");
-        isCached_ = true;
+        if (!fetch(full, isCached_, found)) throw Failure("parameter '" + full + "' is not set");
+        isCached_ = ros::isStarted();
         Filler(full).fill(type_->name(), found, value);
+        if (lent_) lend(value);
     }));
 }
 
@@ -49,6 +69,18 @@ bool ParameterBinding::write(const void* value) {
     });
     if (!problem.empty()) log(Error) << problem << endlog();
     return problem.empty();
+}
+
+void ParameterBinding::lend(const void* value) {
+    lent_ = std::make_unique<Lent>();
+    (void)problemIn([&] { lent_->value = Reader(name_).read(type_->name(), value); });
+}
+
+void ParameterBinding::settle(const void* value) {
+    if (!lent_) return;
+    const XmlRpc::XmlRpcValue before = lent_->value;
+    lend(value);
+    if (before != lent_->value) (void)write(value);
 }
 
 }  // namespace rtt_rosparam

@@ -14,7 +14,7 @@ namespace rtt_rosparam {
 /**
  * A value that is a parameter: reading it reads the parameter (from a cache), assigning it sets the parameter, which
  * waits for the master. While the parameter cannot be read, there is an error in the log and the last value that could
- * be. After a change through a reference, updated() sets the parameter. Neither thread-safe nor real-time safe.
+ * be. A change through a reference sets it in updated(), or when the value is read next. Neither thread-safe nor real-time safe.
  */
 template <typename T>
 class RosParamDataSource : public RTT::internal::AssignableDataSource<T> {
@@ -45,18 +45,16 @@ public:
     }
     void set(param_t value) override {
         last_ = value;
-        isReferred_ = false;
         (void)binding_.write(&last_);
+        if (isReferred_) binding_.lend(&last_);
     }
     reference_t set() override {
         read();
         isReferred_ = true;
+        binding_.lend(&last_);
         return last_;
     }
-    void updated() override {
-        if (!std::exchange(isReferred_, false)) return;
-        (void)binding_.write(&last_);
-    }
+    void updated() override { binding_.settle(&last_); }
 
     RosParamDataSource<T>* clone() const override { return new RosParamDataSource<T>(binding_.name()); }
     RosParamDataSource<T>* copy(
@@ -66,7 +64,7 @@ public:
 
 private:
     void read() const {
-        if (isReferred_) return;  // a change has not been written yet
+        binding_.settle(&last_);
         T value(last_);
         if (binding_.read(&value)) last_ = std::move(value);
     }

@@ -193,7 +193,11 @@ void Filler::fillPart(const char* type, const SequenceOps& ops, const Value& fro
     const Temporary part(*shape.ops);
     ops.load(to, index, part.at());  // members that the parameter lacks keep their values
     fill(type, from, part.at());
-    ops.store(to, index, part.at());
+    try {
+        ops.store(to, index, part.at());
+    } catch (const std::exception& error) {  // of a setter
+        refuse(type, from, error.what());
+    }
 }
 
 void Filler::fillSequence(const char* type, const SequenceOps& ops, const Value& from, void* to) {
@@ -201,6 +205,11 @@ void Filler::fillSequence(const char* type, const SequenceOps& ops, const Value&
     const auto size = static_cast<std::size_t>(from.size());
     if (size != 0 && shapes_.hasRows(ops)) {
         // The first row of a matrix decides how long all are.
+        for (std::size_t i = 0; i != size; ++i) {
+            const Value& row = from[static_cast<int>(i)];
+            if (row.getType() != Value::TypeArray || row.size() != from[0].size())
+                refuse(type, from, "its rows must be arrays of one length");
+        }
         if (!ops.resize(to, 1) && ops.size(to) != size) refuse(type, from, "it has another number of rows");
         within("[0]", [&] { fillElement(ops, from[0], to, 0); });
     }

@@ -57,6 +57,11 @@ TEST_F(ParameterProperty, ReadsAndSets) {
     property.value() = 6;
     property.getDataSource()->updated();
     EXPECT_TRUE(ros::param::get("/n/c/p", there) && there == 6);
+    property.value() = 7;
+    EXPECT_EQ(7, property.get()) << "without updated()";
+    EXPECT_TRUE(ros::param::get("/n/c/p", there) && there == 7);
+    ros::param::set("/n/c/p", 8);
+    EXPECT_EQ(8, property.get()) << "a reference that is not used does no harm";
     EXPECT_EQ("", log_.take());
     RTT::Property<int>& again = add<int>("addRosParamPropertyIntComponentPrivate", "p");
     EXPECT_EQ(&property, &again);

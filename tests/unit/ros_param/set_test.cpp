@@ -47,7 +47,8 @@ TEST_F(SetParameter, WhatTheServerCannotHold) {
     EXPECT_FALSE(made(std::string("a\0b", 3), false).valid());
     EXPECT_FALSE(made<std::string>("\xff", false).valid());
     EXPECT_THAT(log_.take(), HasSubstr("not UTF-8"));
-    component_.addProperty("a/b", *new int(1));
+    int value = 1;
+    component_.addProperty("a/b", value);
     EXPECT_FALSE(call(component_, "setAll"));
     EXPECT_THAT(log_.take(), HasSubstr("'a/b' cannot be the name of a parameter"));
 }
