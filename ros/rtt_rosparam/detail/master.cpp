@@ -57,10 +57,14 @@ struct Answer {
     Value value;
 };
 
+[[noreturn]] void notUnderstood() {
+    throw Failure("the ROS master at " + ros::master::getURI() + " gives an answer that is not understood");
+}
+
 Answer answerIn(const Value& result) {
     if (result.getType() != Value::TypeArray || result.size() != 3 || result[0].getType() != Value::TypeInt ||
         result[1].getType() != Value::TypeString)
-        throw Failure("the ROS master at " + ros::master::getURI() + " gives an answer that is not understood");
+        notUnderstood();
     return {as<int>(result[0]), as<std::string>(result[1]), result[2]};
 }
 
@@ -88,7 +92,7 @@ void setSome(Parameters::const_iterator first, Parameters::const_iterator last) 
     Value all;
     all[0] = calls;
     const Value results = call("system.multicall", all);
-    if (results.getType() != Value::TypeArray || results.size() != count) (void)answerIn(results);
+    if (results.getType() != Value::TypeArray || results.size() != count) notUnderstood();
     for (int i = 0; i != count; ++i) {
         const std::string& name = (first + i)->first;
         // In an array of its own, or a struct that says what is wrong.
