@@ -11,7 +11,8 @@
 #   [PREFIX <text>]          before each test name; default "<name>."
 #   [NO_MAIN]                the sources bring their own main()
 #   [OWN_HEADERS]            without a precompiled header: the test is about what includes bring
-#   [SERIAL])                never beside another test (timing, memory limits)
+#   [SERIAL]                 never beside another test (timing, memory limits)
+#   [TOGETHER])              all cases in one process, as one test: they share what is slow to start
 #
 # oroforge_add_script_test(<name> COMMAND <word>… [LABELS …] [DEPENDS <target>…] [ENVIRONMENT …] [TIMEOUT s] [PARALLEL] [SERIAL])
 #   a test that is a command; default label unit, default time limit 120 s. PARALLEL: it keeps two processors busy.
@@ -45,7 +46,7 @@ function(_oroforge_collect_test labels)
 endfunction()
 
 function(oroforge_add_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "NO_MAIN;OWN_HEADERS;SERIAL" "TIMEOUT;PREFIX"
+  cmake_parse_arguments(PARSE_ARGV 1 arg "NO_MAIN;OWN_HEADERS;SERIAL;TOGETHER" "TIMEOUT;PREFIX"
     "SOURCES;LABELS;LIBS;INCLUDES;DEFINITIONS;DEPENDS;ENVIRONMENT")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "oroforge_add_test(${name}): unknown arguments: ${arg_UNPARSED_ARGUMENTS}")
@@ -87,6 +88,12 @@ function(oroforge_add_test name)
   endif()
   set_property(GLOBAL APPEND PROPERTY OROFORGE_TEST_PROGRAMS ${name})
   _oroforge_collect_test("${arg_LABELS}" ${name})
+  if(arg_TOGETHER)
+    add_test(NAME ${name} COMMAND ${name})
+    set_tests_properties(${name} PROPERTIES TIMEOUT ${arg_TIMEOUT} RUN_SERIAL ${arg_SERIAL} LABELS "${arg_LABELS}"
+      ENVIRONMENT "${arg_ENVIRONMENT}")
+    return()
+  endif()
   gtest_discover_tests(${name} TEST_PREFIX "${arg_PREFIX}" DISCOVERY_TIMEOUT 60
     PROPERTIES TIMEOUT ${arg_TIMEOUT} RUN_SERIAL ${arg_SERIAL})
   # gtest_discover_tests breaks lists apart, so what is a list is set when ctest has read the cases.

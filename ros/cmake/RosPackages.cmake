@@ -11,6 +11,7 @@
 #   oroforge_ros_package(<package> DESCRIPTION <text>
 #     [DEPENDS <package>…]     of this family: import and find_package() of the package need them, too
 #     [SYSTEM <package>…]      of ROS: users compile with their headers and link to their libraries
+#     [MODULES <name>…]        of pkg-config, which users need besides: those of libraries that are not of ROS
 #     [LIBRARIES <name>…]      what users link
 #     [IMPORTS <package>…]     plugin_depend: what ros.import() of the package brings
 #     [CMAKE <file>…]          included by find_package(), relative to the package's folder
@@ -59,7 +60,7 @@ function(oroforge_ros_typekit package name)
 endfunction()
 
 function(oroforge_ros_package package)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "DESCRIPTION;HEADERS" "DEPENDS;SYSTEM;LIBRARIES;IMPORTS;CMAKE")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "DESCRIPTION;HEADERS" "DEPENDS;SYSTEM;MODULES;LIBRARIES;IMPORTS;CMAKE")
   if(arg_UNPARSED_ARGUMENTS OR NOT arg_DESCRIPTION)
     message(FATAL_ERROR "oroforge_ros_package(${package}): no DESCRIPTION, or unknown arguments: ${arg_UNPARSED_ARGUMENTS}")
   endif()
@@ -85,7 +86,7 @@ function(oroforge_ros_package package)
     configure_file(${file} ${made}/cmake/${name} COPYONLY)
     string(APPEND includes "include(\${CMAKE_CURRENT_LIST_DIR}/${name})\n")
   endforeach()
-  set(requires orocos-rtt-${OROCOS_TARGET} ${arg_SYSTEM})
+  set(requires orocos-rtt-${OROCOS_TARGET} ${arg_SYSTEM} ${arg_MODULES})
   foreach(name ${arg_DEPENDS})
     list(APPEND requires ${name}-${OROCOS_TARGET})
   endforeach()

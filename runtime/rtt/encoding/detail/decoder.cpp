@@ -2,7 +2,6 @@
 // Copyright Oroforge contributors
 #include <rtt/encoding/detail/decoder.hpp>
 
-#include <rtt/encoding/detail/temporary.hpp>
 #include <rtt/encoding/detail/walk.hpp>
 #include <rtt/types/ShownTable.hpp>
 #include <rtt/types/StructTable.hpp>

@@ -6,7 +6,6 @@
 
 #include <rtt/encoding/Rules.hpp>
 #include <rtt/encoding/detail/form.hpp>
-#include <rtt/encoding/detail/temporary.hpp>
 #include <rtt/encoding/detail/walk.hpp>
 #include <rtt/types/ShownTable.hpp>
 #include <rtt/types/StructTable.hpp>

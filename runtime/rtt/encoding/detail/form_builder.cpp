@@ -2,7 +2,7 @@
 // Copyright Oroforge contributors
 #include <rtt/encoding/detail/form_builder.hpp>
 
-#include <rtt/encoding/detail/temporary.hpp>
+#include <rtt/encoding/detail/walk.hpp>
 #include <rtt/types/ShownTable.hpp>
 #include <rtt/types/StructTable.hpp>
 #include <rtt/types/TypeInfo.hpp>

@@ -5,7 +5,8 @@
 #define ORO_ENCODING_DETAIL_WALK_HPP
 
 #include <rtt/encoding/Plan.hpp>
-#include <rtt/types/SequenceOps.hpp>
+#include <rtt/types/Temporary.hpp>
+#include <rtt/types/visit_elements.hpp>
 
 namespace RTT {
 namespace encoding {
@@ -24,22 +25,8 @@ private:
     unsigned& depth_;
 };
 
-/** Calls `each(element)` by way of ops.visit until one call returns false; the result is that of the last call. */
-template <class Each>
-bool visitWhile(const types::SequenceOps& ops, const void* container, Each each) {
-    struct Visit {
-        Each& each;
-        bool goesOn;
-    } visit{each, true};
-    ops.visit(
-        container,
-        [](void* context, const void* element) {
-            Visit& one = *static_cast<Visit*>(context);
-            one.goesOn = one.goesOn && one.each(element);
-        },
-        &visit);
-    return visit.goesOn;
-}
+using types::Temporary;
+using types::visitWhile;
 
 }  // namespace detail
 }  // namespace encoding

@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-#ifndef ORO_ENCODING_DETAIL_TEMPORARY_HPP
-#define ORO_ENCODING_DETAIL_TEMPORARY_HPP
+#ifndef ORO_TYPES_TEMPORARY_HPP
+#define ORO_TYPES_TEMPORARY_HPP
 
-#include <rtt/types/TypeOps.hpp>
+#include "TypeOps.hpp"
 
 #include <cstddef>
 #include <new>
 
 namespace RTT {
-namespace encoding {
-namespace detail {
+namespace types {
 
 /** A value of an erased type that has a default one. On the stack if it is small; otherwise allocates. */
 class Temporary {
 public:
-    explicit Temporary(const types::TypeOps& ops)
+    explicit Temporary(const TypeOps& ops)
         : ops_(ops), at_(isSmall() ? small_ : ::operator new(ops.size, std::align_val_t(ops.align))) {
         try {
             ops_.construct(at_);
@@ -40,12 +39,11 @@ private:
     }
 
     alignas(std::max_align_t) unsigned char small_[256];
-    const types::TypeOps& ops_;
+    const TypeOps& ops_;
     void* const at_;
 };
 
-}  // namespace detail
-}  // namespace encoding
+}  // namespace types
 }  // namespace RTT
 
 #endif
