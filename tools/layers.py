@@ -144,7 +144,7 @@ FOREIGN = {
     r"mqueue\.h": ["runtime/rtt/transports/mqueue/", "deployer/rt_check/", "tests/unit/transports/", "bench/"],
     r"(lua5\.\d/)?(lua|lauxlib|lualib)\.h(pp)?": ["deployer/lua/"],
     r"(histedit\.h|editline/|readline/)": ["deployer/console/"],
-    r"(ros|roscpp|tf2?|actionlib|dynamic_reconfigure)/": ["ros/", "tests/unit/ros_"],
+    r"(ros|roscpp|tf2?|actionlib|dynamic_reconfigure)/": ["ros/", "tests/unit/ros_", "bench/ros_"],
     # Of the runtime, what stays out of components and their libraries.
     r"nlohmann/": ["runtime/report/", "runtime/rtt/encoding/", "generator/", "typekit_gen/", "tests/"],
     r"kainjow/": ["generator/render/"],
