@@ -5,10 +5,10 @@
 #include <rtt/plugin/ServicePlugin.hpp>
 #include <rtt_roscomm/rtt_rosservice_registry_service.h>
 
-#include <algorithm>
 #include <list>
 #include <memory>
 #include <mutex>
+#include <stdexcept>
 #include <utility>
 
 namespace rtt_roscomm {
@@ -79,21 +79,32 @@ private:
         Connected made{service_name, "", operation_name, caller != nullptr, nullptr};
         std::string why;
         if (!resolveService(service_name, made.resolved, why)) return refuse(operation_name, service_name, why);
-        if (caller) {
-            std::unique_ptr<ROSServiceClientProxyBase> proxy(factory->create_client_proxy(service_name));
-            proxy->setTimeout(timeout_);
-            if (!proxy->connect(owner, caller)) return false;
-            made.proxy = std::move(proxy);
-        } else {
-            std::unique_ptr<ROSServiceServerProxyBase> proxy(factory->create_server_proxy(service_name));
-            if (!proxy->connect(owner, operation)) return false;
-            made.proxy = std::move(proxy);
+        try {
+            made.proxy = caller ? use(*factory, service_name, *caller) : offer(*factory, service_name, *operation);
+        } catch (const std::exception& error) {
+            return refuse(operation_name, service_name, error.what());
         }
+        if (!made.proxy) return false;
         // The caller left the service that it used before.
         const List replaced = take([&](const Connected& one) { return caller && one.isClient && one.operation == operation_name; });
         const std::lock_guard<std::mutex> lock(mutex_);
         connected_.push_back(std::move(made));
         return true;
+    }
+    typedef std::unique_ptr<ROSServiceProxyBase> Proxy;
+    /** Null, with an error logged, if that is impossible. */
+    Proxy use(ROSServiceProxyFactoryBase& factory, const std::string& service,
+              RTT::base::OperationCallerBaseInvoker& caller) {
+        std::unique_ptr<ROSServiceClientProxyBase> proxy(factory.create_client_proxy(service));
+        if (!proxy) throw std::runtime_error("the factory of its type makes no clients");
+        proxy->setTimeout(timeout_);
+        return proxy->connect(getOwner(), &caller) ? Proxy(std::move(proxy)) : nullptr;
+    }
+    Proxy offer(ROSServiceProxyFactoryBase& factory, const std::string& service,
+                RTT::OperationInterfacePart& operation) {
+        std::unique_ptr<ROSServiceServerProxyBase> proxy(factory.create_server_proxy(service));
+        if (!proxy) throw std::runtime_error("the factory of its type makes no servers");
+        return proxy->connect(getOwner(), &operation) ? Proxy(std::move(proxy)) : nullptr;
     }
     bool disconnect(const std::string& service_name) {
         std::string resolved, why;

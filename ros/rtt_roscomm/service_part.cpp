@@ -107,17 +107,14 @@ private:
     const std::unique_ptr<RTT::base::ActionInterface> action_;
 };
 
-/** boost: types of data sources have a name in the type registry, which would have to be registered for std. */
-typedef boost::shared_ptr<std::shared_ptr<SentRequest>> Handle;
+typedef std::shared_ptr<SentRequest> Handle;
 
 class SendSource final : public DataSource<Handle> {
 public:
     SendSource(Service service, Args arguments) : service_(std::move(service)), arguments_(std::move(arguments)) {}
     Handle get() const override {
         evaluateAll(service_, arguments_);
-        const auto sent = service_.connection->send(service_.requestOf({arguments_, nullptr}));
-        sent_ = sent ? Handle(new std::shared_ptr<SentRequest>(sent)) : Handle();
-        return sent_;
+        return sent_ = service_.connection->send(service_.requestOf({arguments_, nullptr}));
     }
     Handle value() const override { return sent_; }
     const Handle& rvalue() const override { return sent_; }
@@ -143,7 +140,7 @@ public:
     SendStatus get() const override {
         const Handle sent = handle_->get();
         if (!sent) return status_ = RTT::SendFailure;
-        SentRequest& request = **sent;
+        SentRequest& request = *sent;
         if (!service_.connection->finish(request, !blocking_ || blocking_->get())) return status_ = RTT::SendNotReady;
         const bool isGiven = request.isAnswered && service_.take(request.response, values_);
         if (!isGiven) service_.form->fail(values_);

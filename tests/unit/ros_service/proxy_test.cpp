@@ -72,6 +72,27 @@ TEST_F(ServiceTest, AFactoryOfUsersComesFirst) {
         << log.text();
 }
 
+namespace {
+
+class OddFactory : public ROSServiceProxyFactoryBase {
+public:
+    OddFactory() : ROSServiceProxyFactoryBase("odd_srvs/Odd") {}
+    ROSServiceClientProxyBase* create_client_proxy(const std::string&) override { throw std::runtime_error("too odd"); }
+    ROSServiceServerProxyBase* create_server_proxy(const std::string&) override { return nullptr; }
+};
+
+}  // namespace
+
+TEST_F(ServiceTest, AFactoryThatFailsIsReported) {
+    ASSERT_TRUE(ROSServiceRegistryService::Instance()->registerServiceFactory(new OddFactory()));
+    const LogText log;
+    EXPECT_FALSE(pump->services->connect("ping", "/odd", "odd_srvs/Odd"));
+    EXPECT_TRUE(log.has("too odd"));
+    EXPECT_FALSE(pump->services->connect("ask", "/odd", "odd_srvs/Odd"));
+    EXPECT_TRUE(log.has("makes no servers"));
+    EXPECT_FALSE(pump->services->disconnect("/odd"));
+}
+
 TEST_F(ServiceTest, TheRegistryListsTypes) {
     const RTT::Service::shared_ptr service =
         RTT::internal::GlobalService::Instance()->getService("rosservice_registry");
