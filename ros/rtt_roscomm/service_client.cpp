@@ -26,6 +26,9 @@ void becomeNormalThread() {
     pthread_setname_np(pthread_self(), "rosservice");
 }
 
+/** A link learns a moment later that its connection was lost. */
+bool isAlive(ros::ServiceServerLink& link) { return link.isValid() && !link.getConnection()->isDropped(); }
+
 void finished(SentRequest& sent, bool isAnswered) {
     const std::lock_guard<std::mutex> lock(sent.mutex);
     if (sent.isDone) return;
@@ -65,7 +68,7 @@ ServiceConnection::Link ServiceConnection::connected(std::string& why) {
     {
         const std::lock_guard<std::mutex> lock(mutex_);
         if (is_closed_) why = "it was disconnected";
-        if (is_closed_ || (link_ && link_->isValid())) return is_closed_ ? nullptr : link_;
+        if (is_closed_ || (link_ && isAlive(*link_))) return is_closed_ ? nullptr : link_;
     }
     if (!ros::ok()) {
         why = "this process is no node of ROS any more";
@@ -95,7 +98,7 @@ bool ServiceConnection::callNow(const ros::SerializedMessage& request, ros::Seri
             return true;
         }
         if (link)
-            why = link->isValid()
+            why = isAlive(*link)
                       ? "the server refused the call, with the text that roscpp wrote above"
                       : "the connection was lost during the call, or the server has another version of the type";
     } catch (const std::exception& error) {
