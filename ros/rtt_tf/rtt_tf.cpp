@@ -7,7 +7,7 @@
 #include <rtt/Logger.hpp>
 #include <rtt/internal/ConnectionManager.hpp>
 #include <rtt/types/TypeInfo.hpp>
-#include <rtt_roscomm/detail/node_state.hpp>
+#include <rtt_roscomm/node_state.hpp>
 #include <rtt_roscomm/rostopic.h>
 #include <rtt_tf/detail/frame_names.hpp>
 #include <rtt_tf/detail/transform_check.hpp>
@@ -107,7 +107,7 @@ void RTT_TF::addOperations(RTT::Service& service) {
 
 bool RTT_TF::configureHook() {
     std::string why;
-    if (!checkProperties(why) || !checkTypes(why) || !rtt_roscomm::detail::isNodeReady(why) || !findPrefix(why)) {
+    if (!checkProperties(why) || !checkTypes(why) || !rtt_roscomm::isNodeReady(why) || !findPrefix(why)) {
         RTT::log(RTT::Error) << getName() << ": cannot be configured: " << why << RTT::endlog();
         return false;
     }
@@ -152,7 +152,7 @@ bool RTT_TF::findPrefix(std::string& why) {
         else
             why = "parameter " + key + " is no string";
     };
-    if (!rtt_roscomm::detail::isDone(search, why) || !why.empty()) return false;
+    if (!rtt_roscomm::isDone(search, why) || !why.empty()) return false;
     prefix_ = detail::trimmed(prefixProperty_);
     return true;
 }

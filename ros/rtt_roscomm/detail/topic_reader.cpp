@@ -12,7 +12,7 @@
 #include <rtt/os/fosi.h>
 #include <rtt/types/TypeInfo.hpp>
 #include <rtt/types/TypeOps.hpp>
-#include <rtt_roscomm/detail/node_state.hpp>
+#include <rtt_roscomm/node_state.hpp>
 #include <rtt_roscomm/detail/topic_name.hpp>
 
 #include <boost/make_shared.hpp>

@@ -10,7 +10,7 @@
 #include <rtt/internal/flow/sample_store.hpp>
 #include <rtt/os/fosi.h>
 #include <rtt/types/TypeInfo.hpp>
-#include <rtt_roscomm/detail/node_state.hpp>
+#include <rtt_roscomm/node_state.hpp>
 #include <rtt_roscomm/detail/topic_name.hpp>
 #include <rtt_roscomm/raw_message.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-#include <rtt_roscomm/detail/node_state.hpp>
+#include <rtt_roscomm/node_state.hpp>
 
 #include <ros/init.h>
 #include <ros/master.h>
@@ -15,7 +15,7 @@
 #include <thread>
 #include <utility>
 
-namespace rtt_roscomm::detail {
+namespace rtt_roscomm {
 
 namespace {
 
@@ -68,7 +68,7 @@ private:
 
 }  // namespace
 
-bool isNodeReady(std::string& why) {
+bool isNode(std::string& why) {
     if (!ros::isInitialized() || !ros::isStarted()) {
         why = "this process is no ROS node; import rtt_rosnode first";
         return false;
@@ -77,9 +77,14 @@ bool isNodeReady(std::string& why) {
         why = "the ROS node of this process is shutting down";
         return false;
     }
+    return true;
+}
+
+bool isNodeReady(std::string& why) {
+    if (!isNode(why)) return false;
     XmlRpc::XmlRpcValue request, result;
     request[0] = ros::this_node::getName();
-    if (callMaster("getPid", request, result, std::chrono::seconds(1))) return true;
+    if (detail::callMaster("getPid", request, result, std::chrono::seconds(1))) return true;
     why = "the ROS master at " + ros::master::getURI() + " does not answer; start roscore";
     return false;
 }
@@ -100,4 +105,4 @@ bool isDone(const std::function<void()>& work, std::string& why) {
     return false;
 }
 
-}  // namespace rtt_roscomm::detail
+}  // namespace rtt_roscomm

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-#ifndef RTT_ROSCOMM_DETAIL_NODE_STATE_HPP
-#define RTT_ROSCOMM_DETAIL_NODE_STATE_HPP
+#ifndef RTT_ROSCOMM_NODE_STATE_HPP
+#define RTT_ROSCOMM_NODE_STATE_HPP
 
 #include <chrono>
 #include <functional>
 #include <string>
 
-namespace rtt_roscomm::detail {
+namespace rtt_roscomm {
 
+/** This process is a node. Otherwise false, with what to do in `why`. Does not block. */
+bool isNode(std::string& why);
 /** This process is a node, and its master answers within a second. Otherwise false, with what to do in `why`. */
 bool isNodeReady(std::string& why);
 
@@ -19,6 +21,6 @@ void doWithin(std::function<void()> work, std::chrono::milliseconds limit);
 /** As a part of `why`: "topic 'x y': …", from what roscpp throws. Executes `work`. */
 bool isDone(const std::function<void()>& work, std::string& why);
 
-}  // namespace rtt_roscomm::detail
+}  // namespace rtt_roscomm
 
 #endif

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// The client's side of services.
+#ifndef RTT_ROSCOMM_SERVICE_CLIENT_HPP
+#define RTT_ROSCOMM_SERVICE_CLIENT_HPP
+
+#include <rtt_roscomm/service_server.hpp>
+
+#include <ros/forwards.h>
+#include <ros/serialized_message.h>
+
+#include <condition_variable>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <string>
+
+namespace RTT {
+namespace base {
+class OperationCallerBaseInvoker;
+}
+class ExecutionEngine;
+}  // namespace RTT
+namespace ros {
+class ServiceServerLink;
+}
+
+namespace rtt_roscomm {
+
+/** A request on its way. */
+struct SentRequest {
+    ros::SerializedMessage request, response;
+    std::mutex mutex;
+    std::condition_variable changed;
+    bool isDone = false, isAnswered = false;
+};
+
+/**
+ * A connection to a service that stays open. When it was lost, the next call asks the master again. Thread-safe; the
+ * calls of several threads are executed one after another. Failures are logged: the first one, and the first after each
+ * call that succeeded.
+ */
+class ServiceConnection : public std::enable_shared_from_this<ServiceConnection> {
+public:
+    /** `who` is for messages: "operation caller 'f' of component 'c'". `timeout` in seconds, 0 for none. */
+    ServiceConnection(std::string resolved, ServiceType type, double timeout, std::string who);
+    ~ServiceConnection();
+
+    bool isOpen() const;
+    /** Blocks until the response is there, or the connection is lost or closed, or the time is over: then the connection
+        is closed and the next call opens it again. False, with an error logged, without a response. */
+    bool call(const ros::SerializedMessage& request, ros::SerializedMessage& response);
+    /** Does not wait. The first one starts a thread. Null if it is closed. */
+    std::shared_ptr<SentRequest> send(const ros::SerializedMessage& request);
+    /** Waits, for the time-out at most, if `wait`. True if it is done. */
+    bool finish(SentRequest& sent, bool wait);
+    /** Ends calls in progress, which fail, and refuses others. */
+    void close();
+    /** Logs that a response could not be used. */
+    void failed(const std::string& why);
+    const std::string& who() const { return who_; }
+    const std::string& name() const { return name_; }
+
+private:
+    typedef boost::shared_ptr<ros::ServiceServerLink> Link;
+    bool callNow(const ros::SerializedMessage& request, ros::SerializedMessage& response);
+    Link connected(std::string& why);
+    void work();
+    void drop(const Link& link);
+
+    const std::string name_;
+    const ServiceType type_;
+    const double timeout_;
+    const std::string who_;
+    std::mutex connecting_;  // one thread asks the master
+    mutable std::mutex mutex_;
+    std::condition_variable changed_;
+    Link link_;
+    std::deque<std::shared_ptr<SentRequest>> sent_;
+    bool is_closed_ = false, is_working_ = false, is_failing_ = false;
+};
+
+/** Puts the service behind the caller, whose signature has the form. False, with an error logged, if it has not. */
+bool bindCaller(RTT::base::OperationCallerBaseInvoker& caller, const std::shared_ptr<ServiceConnection>& connection,
+                Form form, RTT::ExecutionEngine* engine);
+
+}  // namespace rtt_roscomm
+
+#endif
