@@ -119,6 +119,20 @@ TEST_F(ManualClock, AComponentIsServedWhileAnotherOneWaitsInAStep) {
     between.stopForGood();
 }
 
+TEST_F(ManualClock, AComponentIsDestroyedInItsOwnStep) {
+    Worker other("other");
+    auto w = std::make_unique<Worker>("w");
+    w->onUpdate = [&] {
+        const auto keep = std::move(w->onUpdate);  // this function
+        w.reset();
+    };
+    ASSERT_TRUE(w->start() && other.start());
+    ASSERT_TRUE(update(10 * kMs));
+    EXPECT_FALSE(w);
+    ASSERT_TRUE(update(20 * kMs));
+    EXPECT_EQ(other.updates, 2);
+}
+
 /// A chain: a source of 10 ms, an event port behind it, and a sink of 25 ms that calls the source.
 std::vector<nsecs> sequenceOfAChain(nsecs step) {
     std::vector<nsecs> all;
