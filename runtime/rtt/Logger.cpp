@@ -158,6 +158,7 @@ void Logger::disallowRealTime() {
 
 std::string Logger::getLogLine() { return logSink().takeLine(); }
 os::TimeService::ticks Logger::getReferenceTime() const { return logSink().referenceTime(); }
+void Logger::setReferenceTime(os::TimeService::ticks reference) { logSink().setReferenceTime(reference); }
 
 void Logger::startup() { logSink().startup(); }
 void Logger::shutdown() { logSink().shutdown(); }

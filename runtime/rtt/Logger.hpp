@@ -127,6 +127,8 @@ public:
     std::string getLogLine();
     /** The ticks at which logging started, the zero of the time in the lines. */
     os::TimeService::ticks getReferenceTime() const;
+    /** Lines show the time since then. Any thread; for a simulation that sets the time of os::TimeService. */
+    void setReferenceTime(os::TimeService::ticks reference);
 
     void startup();
     void shutdown();

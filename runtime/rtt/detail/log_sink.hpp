@@ -67,6 +67,7 @@ public:
 
     std::string takeLine();
     os::TimeService::ticks referenceTime() const noexcept { return reference_.load(std::memory_order_relaxed); }
+    void setReferenceTime(os::TimeService::ticks ticks) noexcept { reference_.store(ticks, std::memory_order_relaxed); }
 
 private:
     void readEnvironment();
