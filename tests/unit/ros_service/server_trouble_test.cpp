@@ -155,7 +155,7 @@ TEST_F(ServiceTest, AMasterThatIsAwayIsNamed) {
     master().stop();
     const LogText log;
     EXPECT_FALSE(pump->services->connect("ask", "/ask", "std_srvs/Empty"));
-    EXPECT_TRUE(log.has("the master at " + master().uri()));
+    EXPECT_TRUE(log.has("master at " + master().uri()));
     EXPECT_TRUE(pump->services->disconnect("/flip"));
     ASSERT_TRUE(pump->services->connect("ping", "/away", "std_srvs/Empty"));
     EXPECT_FALSE(pump->ping());
