@@ -191,6 +191,8 @@ int run(int argc, char** argv, const Options& options, const Program& program, P
                              std::to_string(processors()));
         return kTooFewProcessors;
     }
+    // A reader of the output, such as roslaunch, sees each line at once.
+    if (!isatty(STDOUT_FILENO)) std::setvbuf(stdout, nullptr, _IOLBF, 0);
     std::string error;
     if (options.realTimeCheck) error = startRealTimeCheck(argv);
     // Threads do not survive a fork: this comes before the runtime starts.
