@@ -88,7 +88,7 @@ public:
         return errno == 0;
     }
 
-    /** True if the answer is one of XML-RPC: other programs and proxies answer, too, and roscpp would wait for theirs. */
+    /** True if the answer is one of XML-RPC. Other programs and proxies answer, too, and roscpp would wait for more. */
     bool ask(const std::string& question, Clock::time_point end) {
         if (send(fd_, question.data(), question.size(), MSG_NOSIGNAL) != static_cast<ssize_t>(question.size()))
             return false;

@@ -114,8 +114,8 @@ void startSpinner(Node& self) {
     self.spinner = std::move(spinner);
 }
 
-/** Starts the node, and its spinner, if the master answers. False with the reason, or if it can never be. Called with the
-    lock held. */
+/** Starts the node, and its spinner, if the master answers. False with the reason, or, logged and without one, if it can
+    never be. Called with the lock held. */
 bool start(Node& self, std::string& why) {
     Words words;
     Master master;

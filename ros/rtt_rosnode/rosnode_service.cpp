@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Plugin `rosnode`: makes the process a ROS node; operations `getNodeName` and `getNamespace` of the global service `ros`.
+// Plugin `rosnode`: makes the process a ROS node; operations `getNodeName` and `getNamespace` of the global service
+// `ros`.
 #include <rtt/internal/GlobalService.hpp>
 #include <rtt/os/StartStopManager.hpp>
 #include <rtt/plugin/Plugin.hpp>

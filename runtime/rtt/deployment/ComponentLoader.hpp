@@ -70,8 +70,8 @@ public:
 
     /**
      * Imports a ROS package as rtt_ros::import() does: after the packages that its package.xml names as
-     * `plugin_depend`, and those of these, each once. A package without libraries is no failure. False with the reasons in `error` if
-     * anything could not be imported; the others are imported all the same.
+     * `plugin_depend`, and those of these, each once. A package without libraries is no failure. False with the reasons
+     * in `error` if anything could not be imported; the others are imported all the same.
      */
     bool importRos(const std::string& package, std::string& error);
 

@@ -21,8 +21,8 @@ struct RosPackage {
 
 /**
  * Finds packages of ROS; ROS itself is not needed. It searches below the directories of ROS_PACKAGE_PATH, then in
- * `share` of each directory of CMAKE_PREFIX_PATH, of the toolchain's installation, and of /usr; the first package of a name is
- * taken. Packages of a directory named `share` are directly in it, and named as their folders.
+ * `share` of each directory of CMAKE_PREFIX_PATH, of the toolchain's installation, and of /usr; the first package of a
+ * name is taken. Packages of a directory named `share` are directly in it, and named as their folders.
  *
  * An object keeps what it has read. One thread at a time may use it; it reads the file system.
  */
