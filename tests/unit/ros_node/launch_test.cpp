@@ -66,6 +66,8 @@ TEST_F(RosLaunch, AFailingScriptEndsARequiredNodeWith255) {
         roslaunch({"deployer.launch", "DEPLOYER_ARGS:=-s none.ops", "REQUIRED:=true", "LOG_LEVEL:=error"}));
     EXPECT_THAT(ended.out + ended.err, HasSubstr("exit code 255"));
     EXPECT_THAT(ended.out + ended.err, HasSubstr("REQUIRED process"));
+    EXPECT_THAT(ended.out + ended.err,
+                HasSubstr("none.ops: note: looked for in the working folder, " + master_.folder()));
 }
 
 TEST_F(RosLaunch, CheckAndDryRunAreOptions) {
