@@ -53,6 +53,9 @@ if [ -d "$_oroforge_prefix/lib/cmake/orocos-rtt" ]; then
     _oroforge_put CMAKE_PREFIX_PATH "$_oroforge_prefix"
     _oroforge_put PKG_CONFIG_PATH "$_oroforge_prefix/lib/pkgconfig"
     _oroforge_put RTT_COMPONENT_PATH "$_oroforge_prefix/lib/orocos"
+    if [ -d "$_oroforge_prefix/share/rtt_ros" ]; then
+        _oroforge_put ROS_PACKAGE_PATH "$_oroforge_prefix/share"
+    fi
     # The programs want to know which target; where there is but one, it is meant.
     if [ -z "${OROCOS_TARGET:-}" ]; then
         for _oroforge_target in "$_oroforge_prefix"/bin/rttscript-*; do

@@ -13,7 +13,7 @@ namespace OCL::deploy {
 bool stayAtConsole(DeploymentComponent& deployer, SignalCatcher& ending, const Options& options, bool deployed) {
     if (!deployed && (options.daemon || !TaskBrowser::onTerminal())) return true;
     bool succeeded = true;
-    if (!options.daemon) {
+    if (!options.daemon && console::isWanted()) {
         TaskBrowser browser(&deployer);
         browser.endOn(ending.descriptor());
         RTT::os::beforeSecondSignal(&console::restoreTerminal);

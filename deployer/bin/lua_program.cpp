@@ -10,11 +10,14 @@
 #include <rtt/os/startstop.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <cstring>
 #include <initializer_list>
 #include <iostream>
 #include <optional>
 #include <string>
+
+#include <unistd.h>
 
 namespace OCL::deploy {
 namespace {
@@ -37,7 +40,8 @@ struct Words {
             splits ? std::find_if(argv + 1, last, [](char* word) { return !std::strcmp(word, "--"); }) : last;
         isSplit = split != last;
         lua.assign(argv, split);
-        runtime.assign(argv, argv + 1);
+        // Without "--", the runtime sees all, of which ROS takes its own.
+        runtime.assign(argv, isSplit ? argv + 1 : last);
         if (isSplit) runtime.insert(runtime.end(), split + 1, last);
         runtime.push_back(nullptr);
     }
@@ -88,6 +92,8 @@ int runWithRuntime(const LuaCommandLine& line, const LuaProgram& program, Words&
 }  // namespace
 
 int runLuaProgram(int argc, char** argv, const LuaProgram& program) {
+    // A reader of the output, such as roslaunch, sees each line at once.
+    if (!isatty(STDOUT_FILENO)) std::setvbuf(stdout, nullptr, _IOLBF, 0);
     Words words(argc, argv, program.makeServer != nullptr);
     const LuaCommandLine line = parseLuaCommandLine(words.lua);
     if (line.error.empty()) return runWithRuntime(line, program, words);

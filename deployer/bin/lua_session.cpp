@@ -3,6 +3,7 @@
 #include "lua_session.hpp"
 
 #include "../console/interrupts.hpp"
+#include "../console/kept_terminal.hpp"
 #include "../console/line_source.hpp"
 #include "../lua/interpreter.hpp"
 #include "lua_prompt.hpp"
@@ -27,7 +28,8 @@ public:
     Session(const LuaCommandLine& line, const std::string& program, lua::State& state, int endsOn)
         : line_(line),
           endsOn_(endsOn),
-          isTyped_(isatty(STDIN_FILENO) != 0),
+          hasInput_(console::isWanted()),
+          isTyped_(hasInput_ && isatty(STDIN_FILENO)),
           interpreter_(state, program),
           interrupts_(endsOn, /*onTerminal=*/true) {}
 
@@ -37,6 +39,7 @@ public:
             good = start() && doSteps() && doScript();
             if (!good || !(line_.interactive || startsTyping()) || isOver()) return;
             interpreter_.setProgram("");
+            if (!hasInput_) return waitForEnd();
             promptForLua(interpreter_, interrupts_, endsOn_);
         });
         if (interpreter_.ends()) return interpreter_.status();
@@ -44,6 +47,13 @@ public:
     }
 
 private:
+    /** In place of a prompt. */
+    void waitForEnd() {
+        const lua::State::Leave leave(interpreter_.state());
+        while (console::waitForInput(-1, endsOn_) == console::Wake::Signal) {
+        }
+    }
+
     bool startsTyping() const { return line_.isEmpty() && isTyped_; }
     bool isOver() const { return interpreter_.ends() || console::isReadable(endsOn_); }
 
@@ -108,6 +118,7 @@ private:
 
     /** Reads standard input to its end. */
     bool readInput(std::string& code) {
+        if (!hasInput_) return true;
         const lua::State::Leave leave(interpreter_.state());
         for (;;) {
             const console::Wake woken = console::waitForInput(STDIN_FILENO, endsOn_);
@@ -127,6 +138,7 @@ private:
 
     const LuaCommandLine& line_;
     const int endsOn_;
+    const bool hasInput_;
     const bool isTyped_;
     Interpreter interpreter_;
     console::Interrupts interrupts_;

@@ -69,6 +69,16 @@ void announceEnd() {
     (void)written;
 }
 
+/** A program that another one starts, such as roslaunch, may not be in the folder that its user has in mind. */
+void tellFolder(const std::string& file, const Options& options) {
+    std::error_code error;
+    const std::filesystem::path here = std::filesystem::current_path(error);
+    if (error || options.format != oroforge::report::Format::Text || std::filesystem::path(file).is_absolute() ||
+        std::filesystem::exists(file, error))
+        return;
+    std::cerr << file << ": note: looked for in the working folder, " << here.string() << '\n';
+}
+
 bool deployFiles(DeploymentComponent& deployer, SignalCatcher& ending, const Options& options, ProgramReport& report) {
     bool all = !deployer.siteFileFailed();
     if (!all && !options.dryRun) return false;
@@ -86,6 +96,7 @@ bool deployFiles(DeploymentComponent& deployer, SignalCatcher& ending, const Opt
         const std::size_t before = report.errorCount();
         const bool good = deployFile(deployer, file, options, report);
         ending.atFirst(nullptr);
+        if (!good) tellFolder(file, options);
         if (!good && !report.isText() && report.errorCount() == before)
             report.error(file, "could not be deployed; the log says why");
         all = good && all;
@@ -191,6 +202,8 @@ int run(int argc, char** argv, const Options& options, const Program& program, P
                              std::to_string(processors()));
         return kTooFewProcessors;
     }
+    // A reader of the output, such as roslaunch, sees each line at once.
+    if (!isatty(STDOUT_FILENO)) std::setvbuf(stdout, nullptr, _IOLBF, 0);
     std::string error;
     if (options.realTimeCheck) error = startRealTimeCheck(argv);
     // Threads do not survive a fork: this comes before the runtime starts.

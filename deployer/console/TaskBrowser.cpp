@@ -48,7 +48,7 @@ RTT::TaskContext& checked(RTT::TaskContext* component) {
 
 struct TaskBrowser::Impl {
     Impl(TaskBrowser& self, RTT::TaskContext& component)
-        : typed(isatty(STDIN_FILENO) != 0),
+        : typed(isatty(STDIN_FILENO) != 0 && console::isWanted()),
           console(self, component, std::cout, std::cerr, onTerminal() ? "console" : "stdin") {}
 
     const bool typed;  // asked once, because a terminal that hangs up is no longer one
@@ -70,7 +70,7 @@ TaskBrowser::~TaskBrowser() { stopForGood(); }
 
 bool TaskBrowser::failed() const { return !impl_->typed && impl_->console.screen().failed; }
 
-bool TaskBrowser::onTerminal() { return isatty(STDIN_FILENO) && isatty(STDOUT_FILENO); }
+bool TaskBrowser::onTerminal() { return isatty(STDIN_FILENO) && isatty(STDOUT_FILENO) && console::isWanted(); }
 
 void TaskBrowser::endOn(int descriptor) { impl_->endsOn = descriptor; }
 

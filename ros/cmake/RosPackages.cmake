@@ -105,5 +105,5 @@ function(oroforge_ros_package package)
     set(arg_HEADERS ${CMAKE_CURRENT_SOURCE_DIR})
   endif()
   install(DIRECTORY ${arg_HEADERS}/ DESTINATION include/orocos/${package} COMPONENT ros
-    FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp" PATTERN "detail" EXCLUDE)
+    FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp" REGEX "/(detail|cmake|launch|scripts|srv)$" EXCLUDE)
 endfunction()

@@ -7,7 +7,7 @@ target_sources(orocos-rtt PRIVATE
   rtt/deployment/detail/component_library.cpp
   rtt/deployment/detail/component_table.cpp
   rtt/deployment/detail/package_import.cpp
-  rtt/deployment/detail/ros_packages.cpp
+  rtt/deployment/ros_packages.cpp
   rtt/deployment/startup.cpp
   rtt/internal/ComponentDescription.cpp
   rtt/plugin/PluginLoader.cpp

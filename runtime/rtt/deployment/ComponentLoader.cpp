@@ -125,6 +125,14 @@ bool ComponentLoader::importInstalled(const std::string& package, std::string& e
     return import.errors().empty();
 }
 
+bool ComponentLoader::importRos(const std::string& package, std::string& error) {
+    const Logger::In in("ComponentLoader");
+    plugin::PackageImport import(impl_->table);
+    import.ros(package, getComponentPath());
+    error = joined(import.errors());
+    return import.errors().empty();
+}
+
 bool ComponentLoader::loadLibrary(const std::string& path) {
     const Logger::In in("ComponentLoader");
     return succeeded("load", path, impl_->table.loadLibrary(path).error);

@@ -51,7 +51,7 @@ public:
     /**
      * Imports a package: a library file, an absolute directory, or a name that is looked up in the current directory
      * and then in the path list (empty: getComponentPath()); the first directory that has it wins. If none has it, it
-     * is looked up as a ROS package below ROS_PACKAGE_PATH: its `lib/orocos` is imported, after that of all packages on
+     * is looked up as a ROS package (ros_packages.hpp): its libraries are imported, after those of all packages on
      * which it depends. An imported package or a known component type is not imported again.
      * @return false if nothing was found.
      * @throw std::runtime_error if a library could not be loaded, after all were tried; the errors are logged.
@@ -67,6 +67,13 @@ public:
      * returns false with the reasons in `error`.
      */
     bool importInstalled(const std::string& package, std::string& error);
+
+    /**
+     * Imports a ROS package as rtt_ros::import() does: after the packages that its package.xml names as
+     * `plugin_depend`, and those of these, each once. A package without libraries is no failure. False with the reasons
+     * in `error` if anything could not be imported; the others are imported all the same.
+     */
+    bool importRos(const std::string& package, std::string& error);
 
     /** Loads one component library file. True also if it is loaded already. */
     bool loadLibrary(const std::string& path);

@@ -214,6 +214,19 @@ PluginLoader::Scan PluginLoader::importDirectory(const std::string& directory) {
     return sum;
 }
 
+void PluginLoader::importAgain(const std::string& package) {
+    const Logger::In in("PluginLoader");
+    for (const LoadedPlugin& plugin : impl_->table.all()) {
+        if (!plugin.importedAgain || fileName(parentPath(parentPath(plugin.file))) != package) continue;
+        try {
+            plugin.importedAgain();
+        } catch (const std::exception& error) {
+            log(Error) << "plugin '" << plugin.name << "' threw when it was imported again: " << error.what()
+                       << endlog();
+        }
+    }
+}
+
 bool PluginLoader::loadService(const std::string& servicename, TaskContext* tc) {
     const Logger::In in("PluginLoader");
     const std::string owner = tc ? "TaskContext " + tc->getName() : std::string("GlobalService");

@@ -71,6 +71,9 @@ public:
     bool loadLibrary(const std::string& path, std::string& error);
     /** Loads `directory/types` and `directory/plugins`, to import a package. Returns errors instead of logging them. */
     Scan importDirectory(const std::string& directory);
+    /** Calls `extern "C" void onRTTPluginImportedAgain()` of the loaded plugins of a package that export it, because a
+        user has imported the package again: what they could not do at first may be possible now. */
+    void importAgain(const std::string& package);
 
     /**
      * Adds the service or plugin to a component, or to GlobalService if the component is null. False if there is none

@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include "libraries.hpp"
 
+#include <rtt/deployment/ros_packages.hpp>
 #include <support/temp_dir.hpp>
 
 #include <gmock/gmock.h>
@@ -12,6 +13,7 @@
 namespace {
 
 using loading_test::kTarget;
+using testing::AllOf;
 using testing::Contains;
 using testing::HasSubstr;
 using testing::Not;
@@ -78,11 +80,78 @@ TEST_F(RosPackages, WhatIsIgnoredOrInsideAPackageIsNoPackage) {
 }
 
 TEST_F(RosPackages, APackageFileThatCannotBeReadIsLeftOut) {
-    workspace_.write("broken/package.xml", "<package><name>ros_broken</name>");
+    workspace_.write("ros_broken/package.xml", "<package><name>ros_broken</name>");
     addCatkin("good", "ros_good", "");
     addLibraries("good", "single", OROCOS_TARGET_NAME "/ros_good");
     EXPECT_TRUE(import("ros_good"));
-    EXPECT_THAT(errorOf("ros_broken"), HasSubstr("no such package"));
+    EXPECT_THAT(errorOf("ros_broken"),
+                AllOf(HasSubstr("no such package"), HasSubstr("/ros_broken/package.xml:1:1: error")));
+}
+
+/** importRos(), as the service `ros` calls it. */
+class RosImport : public RosPackages {
+protected:
+    void addPlugins(const std::string& directory, const std::string& name, const std::vector<std::string>& plugins) {
+        std::string text;
+        for (const std::string& one : plugins) text += "<plugin_depend>" + one + "</plugin_depend>";
+        addCatkin(directory, name, "<export><rtt_ros>" + text + "</rtt_ros></export>");
+    }
+    std::string importRos(const std::string& package) {
+        std::string error;
+        const bool done = loader_->importRos(package, error);
+        EXPECT_EQ(done, error.empty());
+        return error;
+    }
+};
+
+TEST_F(RosImport, PluginsThatAPackageNamesComeFirstAndOnce) {
+    addPlugins("ros_robot", "ros_robot", {"ros_arm", "rtt_ros"});
+    addPlugins("ros_arm", "ros_arm", {"ros_robot", "ros_plain"});  // a cycle
+    addCatkin("ros_plain", "ros_plain", "<exec_depend>ros_other</exec_depend>");
+    addCatkin("ros_other", "ros_other", "");
+    addLibraries("ros_robot", "single", OROCOS_TARGET_NAME "/ros_robot");
+    addLibraries("ros_arm", "several", OROCOS_TARGET_NAME);
+    addLibraries("ros_other", "listed", OROCOS_TARGET_NAME);
+    EXPECT_EQ("", importRos("ros_robot"));
+    EXPECT_TRUE(loader_->isImported("ros_robot"));
+    EXPECT_TRUE(loader_->isImported("ros_arm"));
+    EXPECT_FALSE(loader_->isImported("ros_other"));  // what it needs at run time is not imported
+    EXPECT_EQ("", importRos("ros_robot"));
+    EXPECT_EQ("", importRos("ros_plain"));  // has no libraries
+}
+
+TEST_F(RosImport, WhatIsMissingIsSaidAndTheOthersAreImported) {
+    addPlugins("ros_robot", "ros_robot", {"ros_gone", "ros_broken"});
+    workspace_.write("ros_broken/package.xml", "<package>\n  <name>ros_broken</nam>\n</package>");
+    addLibraries("ros_robot", "single", OROCOS_TARGET_NAME "/ros_robot");
+    const std::string error = importRos("ros_robot");
+    EXPECT_THAT(error,
+                HasSubstr("there is no package 'ros_gone', which package.xml of 'ros_robot' names; ROS_PACKAGE_"));
+    EXPECT_THAT(error, HasSubstr("ros_broken/package.xml:2:"));
+    EXPECT_TRUE(loader_->isImported("ros_robot"));
+}
+
+TEST_F(RosImport, PackagesOfPrefixesAreFoundWithoutRosPackagePath) {
+    unsetenv("ROS_PACKAGE_PATH");
+    setenv("CMAKE_PREFIX_PATH", workspace_.path().c_str(), 1);
+    addPlugins("share/ros_robot", "ros_robot", {});
+    std::filesystem::create_directories(workspace_.path() / "lib/orocos/" OROCOS_TARGET_NAME);
+    std::filesystem::create_directory_symlink(kTarget + "/single",
+                                              workspace_.path() / "lib/orocos/" OROCOS_TARGET_NAME "/ros_robot");
+    EXPECT_EQ("", importRos("ros_robot"));
+    EXPECT_THAT(loader_->listComponentTypes(), Contains("loading_test::Single"));
+    RTT::plugin::RosPackages packages;
+    ASSERT_NE(nullptr, packages.find("ros_robot"));
+    EXPECT_EQ(workspace_.path().string() + "/share/ros_robot", packages.find("ros_robot")->directory);
+    EXPECT_EQ(nullptr, packages.find("../share/ros_robot"));
+    unsetenv("CMAKE_PREFIX_PATH");
+}
+
+TEST_F(RosImport, RosbuildPackagesHideThoseOnTheSearchPath) {
+    workspace_.write("single/manifest.xml", "<package/>");
+    addLibraries("single", "several", OROCOS_TARGET_NAME);
+    EXPECT_EQ("", importRos("single"));
+    EXPECT_THAT(loader_->listComponentTypes(), Contains("loading_test::First"));
 }
 
 }  // namespace

@@ -2,16 +2,16 @@
 // Copyright Oroforge contributors
 #include "package_import.hpp"
 
-#include "ros_packages.hpp"
-
 #include <diag/nearest_match.hpp>
 #include <rtt/Logger.hpp>
+#include <rtt/deployment/ros_packages.hpp>
 #include <rtt/plugin/PluginLoader.hpp>
 #include <rtt/plugin/search_path.hpp>
 #include <rtt/rtt-config.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
 namespace RTT::plugin {
 namespace {
@@ -52,6 +52,24 @@ std::vector<std::string> packagesIn(const std::vector<std::string>& paths) {
     return names;
 }
 
+/** Those of a ROS package below the first search path that has libraries of it. The one of its own folder need not name
+    it. */
+std::vector<std::string> directoriesOf(const std::string& name, const std::vector<std::string>& paths,
+                                       const std::string& own) {
+    for (const std::string& path : paths) {
+        std::vector<std::string> directories;
+        if (!own.empty() && path == own + "/lib/orocos") directories = withTargetDirectory(path);
+        for (const std::string& directory : packageDirectories(path, name)) directories.push_back(directory);
+        if (holdLibraries(directories)) return directories;
+    }
+    return {};
+}
+
+std::string rosPackageMissing(const std::string& name, const std::string& by, const std::string& problem) {
+    return "there is no package '" + name + "'" + (by.empty() ? "" : ", which package.xml of '" + by + "' names") +
+           (problem.empty() ? "; ROS_PACKAGE_PATH and CMAKE_PREFIX_PATH say where packages are" : ": " + problem);
+}
+
 }  // namespace
 
 void PackageImport::package(const std::string& name, const std::string& pathList) {
@@ -70,6 +88,7 @@ void PackageImport::package(const std::string& name, const std::string& pathList
     }
     if (table_.isImported(name)) {
         log(Info) << "component package '" << name << "' is already imported" << endlog();
+        PluginLoader::Instance()->importAgain(name);
         return;
     }
     // A folder of that name in the current one goes first, unless it has no libraries: then it may be the package's
@@ -120,28 +139,69 @@ void PackageImport::fromSearchPath(const std::string& name, const std::vector<st
             log(Info) << "package '" << name << "' is in " << directories.front() << ", too: using that in "
                       << first.front() << endlog();
     }
-    if (!first.empty())
-        importAll(name, first);
-    else if (!fromRos(name))
-        errors_.push_back("no such package or directory in the search path: " + text + sources +
-                          oroforge::diag::didYouMean(name, packagesIn(given)));
+    if (!first.empty()) return importAll(name, first);
+    std::string problem;
+    if (fromRos(name, problem)) return;
+    errors_.push_back("no such package or directory in the search path: " + text + sources +
+                      oroforge::diag::didYouMean(name, packagesIn(given)));
+    if (!problem.empty()) errors_.push_back(problem);
 }
 
-bool PackageImport::fromRos(const std::string& name) {
-    const std::vector<RosPackage> packages = rosPackagesFor(name);
-    for (const RosPackage& package : packages) {
-        if (table_.isImported(package.name)) continue;
-        const std::string libraries = package.directory + "/lib/orocos";
-        std::vector<std::string> directories = withTargetDirectory(libraries);
-        for (const std::string& directory : packageDirectories(libraries, package.name))
-            directories.push_back(directory);
+bool PackageImport::fromRos(const std::string& name, std::string& problem) {
+    RosPackages packages;
+    const std::vector<RosPackage> needed = packages.withDependencies(name);
+    bool found = false;
+    for (const RosPackage& package : needed) {
         // Packages on which it depends may have no components, and the package itself may only name others.
-        if (holdLibraries(directories))
-            importAll(package.name, directories);
-        else if (packages.size() == 1)
-            errors_.push_back("ROS package '" + name + "' has no components, typekits or plugins in " + libraries);
+        if (table_.isImported(package.name)) {
+            found = true;
+            continue;
+        }
+        const std::vector<std::string> directories =
+            directoriesOf(package.name, packages.libraryPaths(package), package.directory);
+        if (directories.empty()) continue;
+        found = true;
+        importAll(package.name, directories);
     }
-    return !packages.empty();
+    if (!needed.empty() && !found)
+        errors_.push_back("ROS package '" + name + "' has no components, typekits or plugins in " +
+                          needed.back().directory + "/lib/orocos");
+    problem = packages.problem(name);
+    return !needed.empty();
+}
+
+void PackageImport::ros(const std::string& name, const std::string& pathList) {
+    if (name.empty()) {
+        errors_.push_back("the name of the package is empty");
+        return;
+    }
+    RosPackages packages;
+    std::set<std::string> seen = {"rtt_ros"};
+    const auto bring = [&](const auto& self, const std::string& one, const std::string& by) -> void {
+        if (!seen.insert(one).second) return;
+        if (table_.isImported(one)) return PluginLoader::Instance()->importAgain(one);
+        const RosPackage* const package = packages.find(one);
+        std::vector<std::string> paths = splitPathList(pathList);
+        if (package) {
+            for (const std::string& plugin : package->plugins) self(self, plugin, one);
+            // A rosbuild package is not installed: what is built in its own folder hides what others have of it.
+            const std::vector<std::string> more = packages.libraryPaths(*package);
+            const bool isManifest = isFile(package->directory + "/manifest.xml");
+            paths.insert(isManifest ? paths.begin() : paths.end(), more.begin(), more.end());
+        }
+        const std::vector<std::string> directories = directoriesOf(one, paths, package ? package->directory : "");
+        PackageImport libraries(table_);
+        if (!directories.empty())
+            libraries.importAll(one, directories);
+        else if (package)
+            log(Info) << "ROS package '" << one << "' in " << package->directory
+                      << " has no components, typekits or plugins" << endlog();
+        else
+            libraries.errors_.push_back(rosPackageMissing(one, by, packages.problem(one)));
+        errors_.insert(errors_.end(), libraries.errors_.begin(), libraries.errors_.end());
+        broken_ |= libraries.broken_;
+    };
+    bring(bring, name, "");
 }
 
 void PackageImport::importAll(const std::string& what, const std::vector<std::string>& directories) {

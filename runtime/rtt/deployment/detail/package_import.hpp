@@ -19,6 +19,8 @@ public:
     /** Imports a library file, an absolute directory, or a package on the search path or of ROS, unless imported
         already. */
     void package(const std::string& name, const std::string& pathList);
+    /** Imports a ROS package after those that its package.xml names as `plugin_depend`, each once. */
+    void ros(const std::string& name, const std::string& pathList);
     /** Imports a package on the search path, but not from the current folder, unless imported already. */
     void installed(const std::string& name, const std::string& pathList);
     /** Imports each directory and its target sub-directory. */
@@ -32,8 +34,9 @@ public:
 private:
     void libraryFile(const std::string& file);
     void fromSearchPath(const std::string& name, const std::vector<std::string>& given, bool here);
-    /** Imports a ROS package after those on which it depends; false if there is none of that name. */
-    bool fromRos(const std::string& name);
+    /** Imports a ROS package after those on which it depends. False if there is none of that name; its file may have a
+        problem. */
+    bool fromRos(const std::string& name, std::string& problem);
     void importAll(const std::string& what, const std::vector<std::string>& directories);
     bool importDirectory(const std::string& directory);
 

@@ -42,7 +42,7 @@ bool PluginTable::load(const std::string& file, Kind kind, std::string& error) {
         const std::lock_guard<std::mutex> lock(mutex_);
         attempt = attempts_.insert(
             attempts_.end(),
-            Attempt{{path, shortName(path), kind, nullptr, nullptr}, std::this_thread::get_id(), nullptr});
+            Attempt{{path, shortName(path), kind, nullptr, nullptr, nullptr}, std::this_thread::get_id(), nullptr});
     }
     bool done = false;
     try {
@@ -66,6 +66,7 @@ bool PluginTable::open(Attempts::iterator attempt, std::string& error) {
     if (!library) return false;
     plugin.load = library.function<bool(TaskContext*)>("loadRTTPlugin");
     plugin.createService = library.function<Service::shared_ptr()>("createService");
+    plugin.importedAgain = library.function<void()>("onRTTPluginImportedAgain");
     if (!plugin.load) return refuse(error, "not a plugin, it does not export loadRTTPlugin");
     if (const std::string version = library.otherVersion(); !version.empty())
         return refuse(error, misfit(plugin, version, ORO_BUILT_FOR));

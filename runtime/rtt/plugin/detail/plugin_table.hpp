@@ -24,6 +24,7 @@ struct LoadedPlugin {
     Kind kind;
     bool (*load)(TaskContext*);
     Service::shared_ptr (*createService)();  // null: not a service
+    void (*importedAgain)() = nullptr;       // null: of no interest to it
 };
 
 class PluginTable {

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef RTT_ROS_NODE_HPP
+#define RTT_ROS_NODE_HPP
+
+#include <string>
+
+namespace rtt_ros {
+
+/**
+ * Can topics, services and parameters be used now? If not, `why` says what to do: import rtt_rosnode, or start the
+ * master. Call it before the first ros::NodeHandle of each use: one that is made without a started node starts the
+ * node, and waits for the master without end.
+ *
+ * If rtt_rosnode found no master, this looks for it again, at most once a second, which blocks for up to 0.8 s while a
+ * master that is not there is looked for. Any thread may call it; it is not real-time.
+ */
+bool isNodeReady(std::string& why);
+
+/**
+ * Makes this process a ROS node with the arguments of __os_init(), unless it is one, and starts a spinner for the
+ * callbacks of the global queue, with as many threads as parameter `~spinner_threads` says. Without a master, logs
+ * where it was looked for; isNodeReady() and later calls try again. False if the node can never start: its name or an
+ * argument is invalid. For plugin `rosnode`.
+ */
+bool startNode();
+
+/** Ends the spinner, then the node, for good; callbacks have ended when it returns. For plugin `rosnode`. */
+void stopNode();
+
+}  // namespace rtt_ros
+
+#endif

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// rtt_rosnode: the process becomes a node when the master is there, and ends in order.
+#include "programs.hpp"
+
+#include <rtt/deployment/ComponentLoader.hpp>
+#include <rtt/os/startstop.h>
+#include <rtt_ros/node.hpp>
+
+#include <gmock/gmock.h>
+
+#include <csignal>
+
+namespace {
+
+using namespace ros_node_test;
+using oroforge::test::ChildProcess;
+using oroforge::test::Outcome;
+using oroforge::test::RosMaster;
+using oroforge::test::TempDir;
+using testing::HasSubstr;
+
+TEST(RosNode, IsThereAtARepeatedImportWhenTheMasterIs) {
+    useToolchain();
+    RosMaster master(RosMaster::Start::Later);
+    std::vector<std::string> words = {"test", "__name:=later"};
+    std::vector<char*> argv = {words[0].data(), words[1].data(), nullptr};
+    ASSERT_EQ(0, __os_init(2, argv.data()));
+    const auto loader = RTT::ComponentLoader::Instance();
+    const auto begin = std::chrono::steady_clock::now();
+    std::string why;
+    EXPECT_FALSE(rtt_ros::isNodeReady(why));
+    EXPECT_EQ("this process is no ROS node: import rtt_rosnode first", why);
+    EXPECT_TRUE(loader->import("rtt_rosnode", ""));
+    EXPECT_FALSE(rtt_ros::isNodeReady(why));
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(1));
+    EXPECT_THAT(why, HasSubstr("the ROS master at " + master.uri() + " does not answer: Connection refused; start it"));
+    ASSERT_TRUE(master.start());
+    EXPECT_TRUE(loader->import("rtt_rosnode", ""));
+    EXPECT_TRUE(rtt_ros::isNodeReady(why)) << why;
+    EXPECT_EQ("later", words[1].substr(8));  // the arguments are as they were
+    EXPECT_THAT(RosMaster::tool({"rosnode", "list"}).out, HasSubstr("/later\n"));
+    __os_exit();
+    EXPECT_FALSE(rtt_ros::isNodeReady(why));
+    EXPECT_EQ("the ROS node of this process has been shut down", why);
+}
+
+struct RosNodeProgram : testing::Test {
+    RosNodeProgram() { useToolchain(); }
+    TempDir folder_;
+};
+
+TEST_F(RosNodeProgram, TakesTheArgumentsOfRos) {
+    RosMaster master;
+    folder_.write("x.ops",
+                  "import(\"rtt_rosnode\")\nloadService(\"Deployer\", \"print\")\nprint.ln(ros.getNodeName() + \" \" + "
+                  "ros.getNamespace())\n");
+    ChildProcess deployer(program("deployer", {"-s", "x.ops", "--", "__name:=n", "__ns:=robot", "_p:=3"}, folder_));
+    ASSERT_TRUE(deployer.waitForOutput("/robot/n /robot", std::chrono::seconds(10)));
+    EXPECT_THAT(RosMaster::tool({"rosnode", "list"}).out, HasSubstr("/robot/n\n"));
+    EXPECT_EQ("3\n", RosMaster::tool({"rosparam", "get", "/robot/n/p"}).out);
+    deployer.send(SIGTERM);
+    const Outcome ended = deployer.finish();
+    EXPECT_EQ(0, ended.status) << ended.err;
+    EXPECT_THAT(RosMaster::tool({"rosnode", "list"}).out, testing::Not(HasSubstr("/robot/n\n")));
+}
+
+TEST_F(RosNodeProgram, InvalidNamesAndUrisAreErrors) {
+    RosMaster master;
+    folder_.write("x.ops", "import(\"rtt_rosnode\")\n");
+    const Outcome name = oroforge::test::run(program("rttscript", {"-s", "x.ops", "--", "__name:=a/b"}, folder_));
+    EXPECT_EQ(255, name.status);
+    EXPECT_THAT(name.out + name.err, HasSubstr("this process cannot be a ROS node: Invalid node name [a/b]"));
+    const Outcome uri = oroforge::test::run(program("rttscript", {"-s", "x.ops", "--", "__master:=home"}, folder_));
+    EXPECT_EQ(255, uri.status);
+    EXPECT_THAT(uri.out + uri.err, HasSubstr("'home' is no URI of a ROS master"));
+}
+
+TEST_F(RosNodeProgram, EndsWithStatusZeroBySignals) {
+    RosMaster master;
+    folder_.write("x.ops", "import(\"rtt_rosnode\")\nloadService(\"Deployer\", \"print\")\nprint.ln(\"ready\")\n");
+    const char* const wanted = std::getenv("ORO_ROS_RUNS");  // ./dev stress has 100
+    for (int run = 0; run < (wanted ? std::atoi(wanted) : 6); ++run) {
+        ChildProcess deployer(program("deployer", {"-s", "x.ops", "--", "__name:=n"}, folder_));
+        ASSERT_TRUE(deployer.waitForOutput("ready", std::chrono::seconds(10)));
+        deployer.send(run % 2 == 0 ? SIGINT : SIGTERM);
+        const Outcome ended = deployer.finish();
+        ASSERT_EQ(0, ended.status) << ended.out << ended.err;
+    }
+}
+
+}  // namespace
