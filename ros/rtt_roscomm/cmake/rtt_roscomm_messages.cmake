@@ -98,14 +98,16 @@ function(_rtt_ros_finish target package)
   endif()
   # What users need is marked as visible: 40 % less to load.
   set_target_properties(${target} PROPERTIES CXX_VISIBILITY_PRESET hidden)
+  cmake_language(EVAL CODE "cmake_language(DEFER CALL _rtt_ros_build_after [[${target}]] [[${package}]])")
   target_link_libraries(${target} ${rtt_roscomm_LIBRARIES}
     ${rtt_roscomm_PREFIX}/lib/orocos/${OROCOS_TARGET}/rtt_ros/types/librtt-ros-primitives-typekit-${OROCOS_TARGET}.so)
 endfunction()
 
 # Headers of messages are made before what includes them. Called at the end of the directory: all targets exist by then.
 function(_rtt_ros_build_after target package)
+  get_property(own GLOBAL PROPERTY OROCOS_${PROJECT_NAME}_EXPORTED)
   foreach(made ${package}_generate_messages_cpp ${${package}_EXPORTED_TARGETS} ${catkin_EXPORTED_TARGETS})
-    if(TARGET ${made})
+    if(TARGET ${made} AND NOT made IN_LIST own)
       add_dependencies(${target} ${made})
     endif()
   endforeach()
@@ -135,9 +137,6 @@ macro(_rtt_ros_prepare macro kind package list)
     _rtt_ros_generate(${kind} ${package} ${PROJECT_BINARY_DIR}/rtt_${package} FILES ${_rtt_ros_files}
       PROGRAM ${CMAKE_COMMAND} -E env "CMAKE_PREFIX_PATH=${_rtt_ros_prefixes}" ${_rtt_ros_program}
       PATHS ${_rtt_ros_paths} INCLUDES ${_rtt_ros_arg_EXTRA_INCLUDES} DEPENDS ${_rtt_ros_program})
-    # The dependencies of the generator are those of the package's own files, which may be generated.
-    cmake_language(EVAL CODE
-      "cmake_language(DEFER CALL _rtt_ros_build_after [[rtt-${package}-${kind}-generate]] [[${package}]])")
   endif()
 endmacro()
 
