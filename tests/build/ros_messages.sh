@@ -90,12 +90,12 @@ touch probe_msgs/msg/Nothing.msg
 cmake --build b_probe_msgs > b.log
 ! grep -q 'Building CXX object.*Transport' b.log || { cat b.log >&2; fail "a table was compiled again that did not change"; }
 sed -i 's/float64 y/float64 y # up/' probe_msgs/msg/Spot.msg
-cmake --build b_probe_msgs --target rtt-probe_msgs-messages-generate > b.log
+cmake --build b_probe_msgs --target rtt-probe_msgs-messages-generate > b.log 2>&1
 grep -q 'float64 y # up' b_probe_msgs/rtt_probe_msgs/Transport.cpp || fail "the definition is of old"
 # A header of another version is told from the right one.
 cp -r $devel/include old_include
 sed -i 's/float64 y/float32 y/' probe_msgs/msg/Spot.msg
-cmake --build b_probe_msgs --target rtt-probe_msgs-messages-generate > b.log
+cmake --build b_probe_msgs --target rtt-probe_msgs-messages-generate > b.log 2>&1
 ! g++ -fsyntax-only -I"$prefix/include/orocos" -I"$prefix/include" -Iold_include -std=c++17 \
   $(PKG_CONFIG_PATH=$prefix/lib/pkgconfig pkg-config --cflags orocos-rtt-gnulinux) b_probe_msgs/rtt_probe_msgs/types_Spot.cpp 2> b.log ||
   fail "a header of another version was taken"
@@ -103,7 +103,7 @@ expect_text b.log '<probe_msgs/Spot.h> and the description of probe_msgs/Spot'
 sed -i 's/float32 y/float64 y/' probe_msgs/msg/Spot.msg
 # An error in a file has its place.
 echo 'oops' >> probe_msgs/msg/Spot.msg
-! cmake --build b_probe_msgs --target rtt-probe_msgs-messages-generate > b.log || fail "a faulty file was taken"
+! cmake --build b_probe_msgs --target rtt-probe_msgs-messages-generate > b.log 2>&1 || fail "a faulty file was taken"
 expect_text b.log "$work/probe_msgs/msg/Spot.msg:3:1: error: [RM002] 'oops' is not a field"
 sed -i '/oops/d' probe_msgs/msg/Spot.msg
 

@@ -39,7 +39,7 @@ json viewOf(const model::Field& field, const model::Struct& of) {
     if (!field.access.isPlace())
         view["access"] = accessView(field.access);
     else if (named)
-        view["checked"] = {{"member", field.name}, {"declared", field.declared}, {"placed", isMeasured}};
+        view["checked"] = {{"member", field.name}, {"declared", field.declared}};
     return view;
 }
 
@@ -54,7 +54,6 @@ std::string moreOf(const model::Field& field, std::size_t index) {
 json viewOf(const model::Struct& type) {
     json view = {{"cpp", type.cpp},   {"shown", cppShown(type.cpp)}, {"name", cppString(type.name)},
                  {"size", type.size}, {"align", type.align},         {"doc", cppString(type.doc)}};
-    view["measured"] = type.proof.condition.empty();
     if (!type.proof.condition.empty())
         view["proof"] = {{"condition", type.proof.condition}, {"otherwise", cppString(type.proof.otherwise)}};
     if (!type.fields.empty()) view["hasFields"] = true;
