@@ -306,6 +306,22 @@ macro(_oro_each_package caller what)
   endif()
 endmacro()
 
+# Uses the packages of a manifest that belong to the toolchain. What find_package() found of the others stays: catkin may be
+# looking for all of them at this moment.
+macro(_oro_use_manifest_packages)
+  foreach(_oro_wanted ${ARGN})
+    foreach(_oro_part FOUND LIBRARIES INCLUDE_DIRS LIBRARY_DIRS VERSION PREFIX)
+      set(_oro_kept_${_oro_part} "${${_oro_wanted}_${_oro_part}}")
+    endforeach()
+    orocos_use_package(${_oro_wanted} OROCOS_ONLY)
+    if(_oro_kept_FOUND AND NOT ${_oro_wanted}_FOUND)
+      foreach(_oro_part FOUND LIBRARIES INCLUDE_DIRS LIBRARY_DIRS VERSION PREFIX)
+        set(${_oro_wanted}_${_oro_part} "${_oro_kept_${_oro_part}}")
+      endforeach()
+    endif()
+  endforeach()
+endmacro()
+
 macro(_oro_find_one package orocos_only)
   _oro_find_module(${package} ${orocos_only})
 endmacro()

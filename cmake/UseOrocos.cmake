@@ -71,7 +71,7 @@ if(NOT "${_oro_set_up}" STREQUAL "${PROJECT_SOURCE_DIR}")
   _oro_set_output_directories()
   orocos_get_manifest_deps(_oro_manifest_deps)
   if(_oro_manifest_deps)
-    orocos_use_package(${_oro_manifest_deps} OROCOS_ONLY)
+    _oro_use_manifest_packages(${_oro_manifest_deps})
   endif()
 endif()
 

@@ -68,6 +68,8 @@ LAYER_OF = {
     "typekit_gen/plan/": "plan",
     "typekit_gen/diff/": "plan",
     "typekit_gen/driver/": "typegen",
+    "typekit_gen/messages/": "messages",     # of ROS: .msg and .srv files, no compiler
+    "typekit_gen/ros_driver/": "typegen_ros",
     "templates/": "templates",
 }
 
@@ -129,9 +131,11 @@ MAY_INCLUDE = {
     "driver": GENERATOR | {"clang_describe", "clang_update", "xml"},     # typegen reads no components
     "collect": {"diag", "model", "flags"},
     "plan": {"diag", "model", "view", "render", "emit", "banner", "collect"},
+    "messages": {"diag", "model", "render", "emit", "banner", "plan"},
+    "typegen_ros": {"diag", "explain", "report", "render", "emit", "messages"},
     "typegen": GENERATOR | {"files", "collect", "plan"},
     # Text that ends up in the user's package: installed headers only.
-    "templates": API | {"umbrella", "plugin", "typekit", "extras", "marsh", "loader", "scripting", "ocl"},
+    "templates": API | {"umbrella", "plugin", "typekit", "extras", "marsh", "loader", "scripting", "ocl", "ros"},
 }
 
 # Where <a/b.hpp> is looked for, in the order of the include path.

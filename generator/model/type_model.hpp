@@ -45,6 +45,18 @@ struct TypeUse {
     std::string name;              ///< in the type registry: "/double", "/demo/Point", "/std/vector</demo/Point>"
     std::vector<TypeUse> element;  ///< parts of a library type: elements, alternatives, the number
     std::string unit;              ///< "ns" of a Count
+    std::string array = {};        ///< registry name of arrays of it; empty: its name and "[]"
+};
+
+inline std::string arrayName(const TypeUse& element) {
+    return element.array.empty() ? element.name + "[]" : element.array;
+}
+
+/// A constant of C++ that is true if the compiler sees the type that the generator read. For generators that do not
+/// know sizes and offsets, which the compiler then computes.
+struct Proof {
+    std::string condition;
+    std::string otherwise;  ///< what the compiler says if it is false
 };
 
 struct Field {
@@ -86,6 +98,8 @@ struct Struct {
     std::string doc;
     std::vector<Field> fields;  ///< fields of base classes first
     Homes homes;
+    Proof proof;            ///< no condition: `size`, `align` and offsets are compared
+    bool instances = true;  ///< false: users of the typekit make their own instances of templates
     diag::Location where;
 };
 
@@ -139,6 +153,7 @@ struct Header {
     std::string include;
     std::vector<std::size_t> before = {};  ///< numbers of listed headers that must be included first
     std::size_t pieces = 1;                ///< number of source files for its types
+    std::vector<std::string> more = {};    ///< names of further #include lines: one header stands for all of them
 };
 
 struct TypeModel {

@@ -148,7 +148,7 @@ bool start(Node& self, std::string& why) {
 
 }  // namespace
 
-bool isNodeReady(std::string& why) {
+bool isNode(std::string& why) {
     Node& self = node();
     why.clear();
     if (isUp()) return true;
@@ -164,6 +164,14 @@ bool isNodeReady(std::string& why) {
         why = self.silence;
     }
     return why.empty() && isUp();
+}
+
+bool isNodeReady(std::string& why) {
+    if (!isNode(why)) return false;
+    const std::string silence =
+        detail::whyMasterIsSilent(ros::master::getHost(), ros::master::getPort(), kMasterAnswers);
+    if (!silence.empty()) why = "the ROS master at " + ros::master::getURI() + " does not answer: " + silence;
+    return silence.empty();
 }
 
 bool startNode() {

@@ -8,13 +8,17 @@
 namespace rtt_ros {
 
 /**
- * Can topics, services and parameters be used now? If not, `why` says what to do: import rtt_rosnode, or start the
- * master. Call it before the first ros::NodeHandle of each use: one that is made without a started node starts the
- * node, and waits for the master without end.
+ * Is this process a ROS node? If not, `why` says what to do: import rtt_rosnode, or start the master. Call it before the
+ * first ros::NodeHandle of each use: one that is made without a started node starts the node, and waits for the master
+ * without end.
  *
  * If rtt_rosnode found no master, this looks for it again, at most once a second, which blocks for up to 0.8 s while a
  * master that is not there is looked for. Any thread may call it; it is not real-time.
  */
+bool isNode(std::string& why);
+
+/** The same, and the master answers now, within a second: call it before roscpp asks the master, because roscpp waits
+    without end for one that is stopped. */
 bool isNodeReady(std::string& why);
 
 /**

@@ -2,10 +2,7 @@
 // Copyright Oroforge contributors
 #include <rtt_roscomm/node_state.hpp>
 
-#include <ros/init.h>
-#include <ros/master.h>
-#include <ros/this_node.h>
-#include <rtt_roscomm/detail/master_call.hpp>
+#include <xmlrpcpp/XmlRpcException.h>
 
 #include <condition_variable>
 #include <deque>
@@ -67,27 +64,6 @@ private:
 };
 
 }  // namespace
-
-bool isNode(std::string& why) {
-    if (!ros::isInitialized() || !ros::isStarted()) {
-        why = "this process is no ROS node; import rtt_rosnode first";
-        return false;
-    }
-    if (ros::isShuttingDown() || !ros::ok()) {
-        why = "the ROS node of this process is shutting down";
-        return false;
-    }
-    return true;
-}
-
-bool isNodeReady(std::string& why) {
-    if (!isNode(why)) return false;
-    XmlRpc::XmlRpcValue request, result;
-    request[0] = ros::this_node::getName();
-    if (detail::callMaster("getPid", request, result, std::chrono::seconds(1))) return true;
-    why = "the ROS master at " + ros::master::getURI() + " does not answer; start roscore";
-    return false;
-}
 
 void doWithin(std::function<void()> work, std::chrono::milliseconds limit) {
     Helper::instance().execute(std::move(work), limit);

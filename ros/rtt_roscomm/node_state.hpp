@@ -3,16 +3,16 @@
 #ifndef RTT_ROSCOMM_NODE_STATE_HPP
 #define RTT_ROSCOMM_NODE_STATE_HPP
 
+#include <rtt_ros/node.hpp>
+
 #include <chrono>
 #include <functional>
 #include <string>
 
 namespace rtt_roscomm {
 
-/** This process is a node. Otherwise false, with what to do in `why`. Does not block. */
-bool isNode(std::string& why);
-/** This process is a node, and its master answers within a second. Otherwise false, with what to do in `why`. */
-bool isNodeReady(std::string& why);
+using rtt_ros::isNode;
+using rtt_ros::isNodeReady;
 
 /** Has a thread execute `work`, which asks the master, and waits for it, at most so long: a master that is stopped must not
     stop this process. If `work` is still going on, it has all that it needs, and ends some time later. */

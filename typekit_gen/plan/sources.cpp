@@ -91,7 +91,7 @@ Placement::Placement(const model::TypeModel& model, const TypeNeeds& needs) : so
         library.push_back(use.name);
         if (use.kind == model::TypeKind::Map) library.push_back(entryName(use));
     }
-    for (const model::TypeUse& use : model.arrays) arrays.push_back(use.name + "[]");
+    for (const model::TypeUse& use : model.arrays) arrays.push_back(model::arrayName(use));
     deal(library, needs);
     deal(arrays, needs);
 }

@@ -78,6 +78,24 @@ TypeNeeds::TypeNeeds(const model::TypeModel& model) : model_(model) {
         }
         addArguments(type.constructors, user, nodes_[type.name]);
     }
+    for (const TypeUse& use : model.library) {
+        std::vector<const TypeUse*> parts;
+        for (const TypeUse& element : use.element) parts.push_back(&element);
+        addUnused(use.name, parts);
+    }
+    for (const TypeUse& use : model.arrays) addUnused(model::arrayName(use), {&use});
+}
+
+/// A library type that no field has belongs to the header of its first part.
+void TypeNeeds::addUnused(const std::string& name, const std::vector<const TypeUse*>& parts) {
+    if (nodes_.count(name) != 0) return;
+    Node node;
+    node.parts = parts;
+    for (const TypeUse* part : parts) {
+        const auto known = nodes_.find(part->name);
+        if (known != nodes_.end()) node.home = std::min(node.home, known->second.home);
+    }
+    nodes_[name] = node;
 }
 
 void TypeNeeds::addArguments(const std::vector<model::Constructor>& all, const User& user, Node& to) {
@@ -90,7 +108,7 @@ void TypeNeeds::addArguments(const std::vector<model::Constructor>& all, const U
 }
 
 void TypeNeeds::addArray(const TypeUse& use, const User& user) {
-    Node& node = nodes_[use.name + "[]"];
+    Node& node = nodes_[model::arrayName(use)];
     node.parts = {&use};
     node.isUnknown |= user.homes.empty() && !isLeaf(use);
     node.home = std::min(node.home, user.home);

@@ -49,6 +49,7 @@ private:
     void add(const std::string& name, const std::vector<model::TypeUse>& parts, const User& user);
     void addArguments(const std::vector<model::Constructor>& all, const User& user, Node& to);
     void addArray(const model::TypeUse& use, const User& user);
+    void addUnused(const std::string& name, const std::vector<const model::TypeUse*>& parts);
     void collect(const std::string& name, std::set<std::string>& to) const;
     std::vector<std::size_t> headersOf(const std::set<std::string>& names) const;
 

@@ -65,12 +65,16 @@ json sourceView(const json& typekit, std::size_t source) {
     return view;
 }
 
+void addSources(std::vector<render::Subject>& all, const std::vector<std::string>& words, const json& view) {
+    for (std::size_t i = 0; i != words.size(); ++i)
+        all.push_back({"source", {{"word", words[i]}}, [&view, i] { return sourceView(view, i); }});
+}
+
 /// The view may be empty if only names are needed.
 std::vector<render::Subject> subjectsOf(const std::string& typekit, const std::vector<std::string>& words,
                                         const json& view) {
     std::vector<render::Subject> all = {{"plugin", {}, [&] { return pluginView(view); }}};
-    for (std::size_t i = 0; i != words.size(); ++i)
-        all.push_back({"source", {{"word", words[i]}}, [&view, i] { return sourceView(view, i); }});
+    addSources(all, words, view);
     all.push_back({"header", {{"header", userHeaderName(typekit)}}, [&] { return without(view, {"sources"}); }});
     return all;
 }
@@ -85,12 +89,32 @@ std::vector<std::string> outputNames(const std::string& typekit, const std::vect
     return render::outputNames(kOutputs, subjectsOf(typekit, words, {}), Owner::Generated);
 }
 
-emit::Outputs renderTypekit(const json& view, const render::Renderer& renderer) {
+namespace {
+
+std::vector<std::string> wordsOf(const json& view) {
     std::vector<std::string> words;
     for (const json& source : view["sources"]) words.push_back(source["word"]);
-    auto outputs = render::renderOutputs(kOutputs, subjectsOf(view["name"], words, view), Owner::Generated, renderer);
+    return words;
+}
+
+emit::Outputs rendered(const std::vector<render::Subject>& subjects, const render::Renderer& renderer) {
+    auto outputs = render::renderOutputs(kOutputs, subjects, Owner::Generated, renderer);
     for (auto& [name, text] : outputs) text = tidied(text);
     return outputs;
 }
+
+}  // namespace
+
+emit::Outputs renderTypekit(const json& view, const render::Renderer& renderer) {
+    return rendered(subjectsOf(view["name"], wordsOf(view), view), renderer);
+}
+
+emit::Outputs renderSources(const json& view, const render::Renderer& renderer) {
+    std::vector<render::Subject> subjects;
+    addSources(subjects, wordsOf(view), view);
+    return rendered(subjects, renderer);
+}
+
+std::string sourceName(const std::string& word) { return "types_" + word + ".cpp"; }
 
 }  // namespace oroforge::typekit

@@ -23,6 +23,10 @@ std::vector<std::string> outputNames(const std::string& typekit, const std::vect
 /// Returns a text for each of outputNames(). Throws render::RenderError if a template does not fit the view.
 emit::Outputs renderTypekit(const nlohmann::json& view, const render::Renderer& renderer);
 
+/// The sources of types alone, for generators with a plugin of their own; `sourceName` is the name of one.
+emit::Outputs renderSources(const nlohmann::json& view, const render::Renderer& renderer);
+std::string sourceName(const std::string& word);
+
 }  // namespace oroforge::typekit
 
 #endif

@@ -27,8 +27,11 @@ std::string docOf(const model::Field& field) {
     return field.doc + (field.doc.empty() ? "" : ", ") + "at most " + field.capacity;
 }
 
-json viewOf(const model::Field& field) {
-    json view = {{"name", cppString(field.name)},  {"offset", std::to_string(field.offset)},
+json viewOf(const model::Field& field, const model::Struct& of) {
+    const bool isMeasured = of.proof.condition.empty();
+    const std::string offset =
+        isMeasured ? std::to_string(field.offset) : "__builtin_offsetof(" + of.cpp + ", " + field.name + ")";
+    json view = {{"name", cppString(field.name)},  {"offset", offset},
                  {"type", field.type.cpp},         {"count", field.count},
                  {"doc", cppString(docOf(field))}, {"unit", cppString(field.unit)}};
     // A base class that is shown as a member has no name to check; its own struct is checked.
@@ -51,11 +54,13 @@ std::string moreOf(const model::Field& field, std::size_t index) {
 json viewOf(const model::Struct& type) {
     json view = {{"cpp", type.cpp},   {"shown", cppShown(type.cpp)}, {"name", cppString(type.name)},
                  {"size", type.size}, {"align", type.align},         {"doc", cppString(type.doc)}};
+    if (!type.proof.condition.empty())
+        view["proof"] = {{"condition", type.proof.condition}, {"otherwise", cppString(type.proof.otherwise)}};
     if (!type.fields.empty()) view["hasFields"] = true;
     view["fieldCount"] = type.fields.size();
     view["fields"] = json::array();
     for (const model::Field& field : type.fields) {
-        view["fields"].push_back(viewOf(field));
+        view["fields"].push_back(viewOf(field, type));
         json& added = view["fields"].back();
         added["index"] = view["fields"].size() - 1;
         added["more"] = moreOf(field, view["fields"].size() - 1);
@@ -160,7 +165,7 @@ Contents fill(const model::TypeModel& model, const Placement& placement) {
         contents.add("structs", type.name, viewOf(type));
         for (const model::Field& field : type.fields)
             if (field.access.hasAddress) contents.addHeader(type.name, "rtt/types/AdaptedTable.hpp");
-        contents.addInstance(type.name, type.cpp, type.assignable && type.make.empty());
+        if (type.instances) contents.addInstance(type.name, type.cpp, type.assignable && type.make.empty());
         if (!type.make.empty()) contents.makers.push_back(makerView(type, type.make, type.space));
         contents.addFromAdapter(type);
     }
@@ -193,7 +198,7 @@ Contents fill(const model::TypeModel& model, const Placement& placement) {
         }
     }
     for (const TypeUse& use : model.arrays) {
-        const std::string name = use.name + "[]";
+        const std::string name = model::arrayName(use);
         contents.add("arrays", name, {{"cpp", use.cpp}, {"name", cppString(name)}});
     }
     for (json& view : contents.views) {
@@ -224,16 +229,18 @@ bool showsOptional(const model::TypeModel& model, const Names& types) {
 }
 
 /// Adds includes, and a first line that names the headers; it shows `otherwise` if there are none.
-void addFront(json& view, const model::TypeModel& model, const Needs& needs, const std::string& otherwise) {
+void addFront(json& view, const model::TypeModel& model, const Needs& needs, const std::string& otherwise,
+              const std::string& tool) {
     std::string names;
     view["includes"] = json::array();
     for (const std::size_t header : needs.headers) {
         const std::string& include = model.headers[header].include;
         view["includes"].push_back({{"path", include}});
+        for (const std::string& more : model.headers[header].more) view["includes"].push_back({{"path", more}});
         names += (names.empty() ? "" : ", ") + include;
     }
     if (showsOptional(model, needs.types)) view["system"].push_back({{"path", "optional"}});
-    view["banner"] = emit::banner("typegen", names.empty() ? otherwise : names);
+    view["banner"] = emit::banner(tool, names.empty() ? otherwise : names);
 }
 
 Needs allOf(const model::TypeModel& model, const Contents& contents) {
@@ -245,7 +252,7 @@ Needs allOf(const model::TypeModel& model, const Contents& contents) {
 
 }  // namespace
 
-json makeView(const model::TypeModel& model, const std::string& typekit) {
+json makeView(const model::TypeModel& model, const std::string& typekit, const std::string& tool) {
     const TypeNeeds typeNeeds(model);
     const Placement placement(model, typeNeeds);
     Contents contents = fill(model, placement);
@@ -253,7 +260,7 @@ json makeView(const model::TypeModel& model, const std::string& typekit) {
     for (std::size_t i = 0; i != contents.views.size(); ++i) {
         const Needs needs = typeNeeds.of(contents.types[i]);
         json& view = contents.views[i];
-        addFront(view, model, needs, model.headers[placement.sources()[i].header].include);
+        addFront(view, model, needs, model.headers[placement.sources()[i].header].include, tool);
         view["externs"] = ofTypes(contents.externs, needs.types);
         view["makers"] = ofTypes(contents.makers, needs.types);
         view["schemas"] = ofTypes(schemas, needs.types);
@@ -261,15 +268,15 @@ json makeView(const model::TypeModel& model, const std::string& typekit) {
     json view = {{"name", typekit},
                  {"quotedName", cppString(typekit)},
                  {"identifier", cppIdentifier(typekit)},
-                 {"pluginBanner", emit::banner("typegen", "the headers of " + typekit)},
-                 {"versionGuard", emit::versionGuard("typegen")},
+                 {"pluginBanner", emit::banner(tool, "the headers of " + typekit)},
+                 {"versionGuard", emit::versionGuard(tool)},
                  {"userHeader", userHeaderName(typekit)},
                  {"system", json::array()},
                  {"externs", contents.externs},
                  {"makers", contents.makers},
                  {"schemas", schemas},
                  {"sources", contents.views}};
-    addFront(view, model, allOf(model, contents), "the headers of " + typekit);
+    addFront(view, model, allOf(model, contents), "the headers of " + typekit, tool);
     return view;
 }
 

@@ -14,7 +14,8 @@ namespace oroforge::typekit {
 
 /// Keys: name, identifier, guard, banner, versionGuard, includes[], externs[], sources[] with word,
 /// structs[], enums[], library[], arrays[], instances[], headers[]. Texts for C++ are quoted already.
-nlohmann::json makeView(const model::TypeModel& model, const std::string& typekit);
+/// `tool` is the name of the generator in the files.
+nlohmann::json makeView(const model::TypeModel& model, const std::string& typekit, const std::string& tool = "typegen");
 
 }  // namespace oroforge::typekit
 

@@ -11,7 +11,7 @@
 #include <ros/topic_manager.h>
 #include <ros/xmlrpc_manager.h>
 #include <rtt/Logger.hpp>
-#include <rtt_roscomm/detail/master_call.hpp>
+#include <rtt_ros/xml_rpc.hpp>
 
 #include <chrono>
 #include <utility>
@@ -21,6 +21,7 @@ namespace rtt_roscomm::detail {
 
 namespace {
 
+using rtt_ros::callMaster;
 using XmlRpc::XmlRpcValue;
 
 constexpr std::chrono::milliseconds kPatience(1000);
@@ -54,7 +55,7 @@ void registerSubscriber(const std::string& topic, const std::string& node) {
     update[0] = "/master";
     update[1] = topic;
     update[2] = publishers;
-    (void)call(host, port, "publisherUpdate", update, ignored, kPatience);
+    (void)rtt_ros::callXmlRpc(host, port, "publisherUpdate", update, ignored, kPatience);
 }
 
 void registerService(const std::string& name, const std::string& node) {

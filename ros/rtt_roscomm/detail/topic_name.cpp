@@ -10,7 +10,7 @@
 #include <rtt/TaskContext.hpp>
 #include <rtt/base/PortInterface.hpp>
 #include <rtt/types/TypeInfo.hpp>
-#include <rtt_roscomm/detail/master_call.hpp>
+#include <rtt_ros/xml_rpc.hpp>
 #include <rtt_roscomm/message_format.hpp>
 
 #include <atomic>
@@ -63,7 +63,7 @@ std::string whyRefused(const std::string& topic, const MessageFormat& format) {
 void warnOfOtherType(const std::string& described, const std::string& topic, const MessageFormat& format) {
     XmlRpc::XmlRpcValue request, topics;
     request[0] = ros::this_node::getName();
-    if (!callMaster("getTopicTypes", request, topics, std::chrono::seconds(1))) return;
+    if (!rtt_ros::callMaster("getTopicTypes", request, topics, std::chrono::seconds(1))) return;
     try {
         for (int i = 0; i < topics.size(); ++i) {
             const std::string other = topics[i][1];

@@ -8,7 +8,7 @@
 #include <ros/init.h>
 #include <ros/master.h>
 #include <ros/this_node.h>
-#include <xmlrpcpp/XmlRpc.h>
+#include <rtt_ros/xml_rpc.hpp>
 
 #include <chrono>
 
@@ -18,25 +18,14 @@ typedef XmlRpc::XmlRpcValue Value;
 
 namespace {
 
-/** roscpp's own calls wait for ever if a master takes the connection and does not answer. */
 Value call(const char* method, const Value& arguments) {
-    typedef std::chrono::steady_clock Clock;
-    const std::string where = " the ROS master at " + ros::master::getURI();
-    XmlRpc::XmlRpcClient client(ros::master::getHost().c_str(), static_cast<int>(ros::master::getPort()), "/");
     Value result;
-    bool isDone = client.executeNonBlock(method, arguments);
-    if (!isDone) throw Failure("cannot connect to" + where + "; start roscore, or set ROS_MASTER_URI");
-    const auto end = Clock::now() + std::chrono::duration<double>(kPatience);
-    while (!(isDone = client.executeCheckDone(result))) {
-        const std::chrono::duration<double> left = end - Clock::now();
-        if (left.count() <= 0) break;
-        client._disp.work(left.count());
-    }
-    if (!isDone)
-        throw Failure("no answer within " + std::to_string(static_cast<int>(kPatience)) + " s from" + where);
-    if (client.isFault())
-        throw Failure("the call of " + std::string(method) + " was refused by" + where + ": " + described(result));
-    if (!result.valid()) throw Failure("cannot reach" + where + "; start roscore, or set ROS_MASTER_URI");
+    const std::string why =
+        rtt_ros::callXmlRpc(ros::master::getHost(), ros::master::getPort(), method, arguments, result,
+                            std::chrono::milliseconds(static_cast<int>(kPatience * 1000)));
+    if (!why.empty())
+        throw Failure("the ROS master at " + ros::master::getURI() + " does not answer: " + why +
+                      "; start roscore, or set ROS_MASTER_URI");
     return result;
 }
 

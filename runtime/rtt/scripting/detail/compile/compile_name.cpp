@@ -19,6 +19,21 @@ base::DataSourceBase::shared_ptr valueOf(const ConfigurationInterface& values, c
     return nullptr;
 }
 
+/** A global value, and how many parts name it: names of constants may have dots, such as those of messages. */
+template <class Parts>
+base::DataSourceBase::shared_ptr globalOf(const Parts& parts, std::size_t& used) {
+    std::string name;
+    base::DataSourceBase::shared_ptr found;
+    for (std::size_t i = 0; i != parts.size(); ++i) {
+        name += (i == 0 ? "" : ".") + parts[i].text;
+        if (const auto source = valueOf(*types::GlobalsRepository::Instance(), name)) {
+            found = source;
+            used = i + 1;
+        }
+    }
+    return found;
+}
+
 }  // namespace
 
 NameCompiler::NameCompiler(UnitCompiler& unit) : UnitPart(unit), scope_(&unit.scope) {}
@@ -152,15 +167,16 @@ bool NameCompiler::valueIn(const Nodes& nodes, const Parts& parts, Operand& foun
     for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) {
         if (node->used == parts.size()) continue;
         Source source;
+        std::size_t used = node->used + 1;
         if (node->used == 0 && where_.service) source = valueOf(*where_.service, parts[0].text);
         if (!source) {
             source = valueOf(*node->service, parts[node->used].text);
             const TaskContext* const owner = node->service->getOwner();
             if (source && where_.peers && owner && owner != where_.component) where_.peers->add(*owner);
         }
-        if (!source && node->used == 0) source = valueOf(*types::GlobalsRepository::Instance(), parts[0].text);
+        if (!source && node->used == 0) source = globalOf(parts, used);
         if (!source) continue;
-        found = members(values_.fromSource(source, parts[0].at), parts, node->used + 1);
+        found = members(values_.fromSource(source, parts[0].at), parts, used);
         return true;
     }
     return false;
