@@ -19,5 +19,5 @@ for package in "$@"; do
   done
 done > "$work/all.ops"
 "$deployer" < "$work/all.ops" > "$work/out" 2>&1 || { cat "$work/out"; exit 1; }
-! grep -iE 'error|warning' "$work/out" || exit 1
+! grep -E ': (error|warning): ' "$work/out" || exit 1
 [ "$number" -gt 0 ]
