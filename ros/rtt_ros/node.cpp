@@ -22,6 +22,12 @@
 #include <mutex>
 #include <vector>
 
+namespace ros {
+namespace master {
+void init(const M_string& remappings);  // of libroscpp; no header has it
+}
+}  // namespace ros
+
 namespace rtt_ros {
 namespace {
 
@@ -205,7 +211,12 @@ void stopNode() {
     // Without the lock, because a callback may ask whether the node is ready.
     if (spinner) spinner->stop();
     spinner.reset();
-    if (ros::isInitialized()) ros::shutdown();
+    if (!ros::isInitialized()) return;
+    // Or roscpp waits without end to take back all topics from a master that is stopped.
+    const std::string silence =
+        detail::whyMasterIsSilent(ros::master::getHost(), ros::master::getPort(), kMasterAnswers);
+    if (!silence.empty()) ros::master::init({{"__master", "http://127.0.0.1:1/"}});
+    ros::shutdown();
 }
 
 }  // namespace rtt_ros

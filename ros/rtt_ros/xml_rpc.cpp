@@ -15,6 +15,7 @@ std::string callXmlRpc(const std::string& host, unsigned port, const char* funct
     XmlRpc::XmlRpcClient client(host.c_str(), static_cast<int>(port), "/");
     if (!client.executeNonBlock(function, request)) return "it cannot be reached";
     while (!client.executeCheckDone(result)) {
+        if (client._disp._sources.empty()) return "it cannot be reached";  // the dispatcher has given up
         const std::chrono::duration<double> left = end - Clock::now();
         if (left.count() <= 0) {
             client._disp.removeSource(&client);

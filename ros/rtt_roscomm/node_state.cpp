@@ -2,6 +2,9 @@
 // Copyright Oroforge contributors
 #include <rtt_roscomm/node_state.hpp>
 
+#include <rtt/Logger.hpp>
+#include <rtt_roscomm/detail/master_watch.hpp>
+#include <rtt_roscomm/detail/normal_thread.hpp>
 #include <xmlrpcpp/XmlRpcException.h>
 
 #include <condition_variable>
@@ -16,6 +19,8 @@ namespace rtt_roscomm {
 
 namespace {
 
+constexpr std::chrono::milliseconds kPatience(2000);
+
 /** One thread, which ends when it has nothing to do. It is never joined: nobody can wait for a master that is stopped. */
 class Helper {
 public:
@@ -28,12 +33,9 @@ public:
         job->work = std::move(work);
         std::unique_lock<std::mutex> lock(mutex_);
         jobs_.push_back(job);
-        if (!isRunning_) {
-            isRunning_ = true;
-            std::thread([this] { run(); }).detach();
-        }
+        if (!isRunning_ && !start()) return;
         // What is stuck for one is stuck for all that wait behind it.
-        if (isStuck_) return;
+        if (isStuck_ || limit.count() == 0) return;
         if (!done_.wait_for(lock, limit, [&] { return job->isDone; })) isStuck_ = true;
     }
 
@@ -42,13 +44,22 @@ private:
         std::function<void()> work;
         bool isDone = false;
     };
+    /** If there can be no thread now, the next call tries again. */
+    bool start() {
+        std::string why;
+        isRunning_ = isDone([this] { std::thread([this] { run(); }).detach(); }, why);
+        if (!isRunning_) RTT::log(RTT::Error) << "no thread for calls of the ROS master: " << why << RTT::endlog();
+        return isRunning_;
+    }
     void run() {
+        detail::becomeNormalThread("ros_calls");
         std::unique_lock<std::mutex> lock(mutex_);
         while (!jobs_.empty()) {
             const std::shared_ptr<Job> job = jobs_.front();
             jobs_.pop_front();
             lock.unlock();
-            job->work();
+            std::string why;
+            if (!isDone(job->work, why)) RTT::log(RTT::Error) << "a call of roscpp failed: " << why << RTT::endlog();
             job->work = nullptr;
             lock.lock();
             job->isDone = true;
@@ -63,10 +74,26 @@ private:
     bool isRunning_ = false, isStuck_ = false;
 };
 
+std::function<void()> nowOrWhenThere(std::function<void()> work) {
+    return [work = std::move(work)] {
+        std::string why;
+        if (isNodeReady(why) || !isNode(why))
+            work();  // a node that has been shut down asks nobody
+        else
+            detail::MasterWatch::instance().keep(work);
+    };
+}
+
 }  // namespace
 
 void doWithin(std::function<void()> work, std::chrono::milliseconds limit) {
     Helper::instance().execute(std::move(work), limit);
+}
+
+void endWithMaster(std::function<void()> work) { doWithin(nowOrWhenThere(std::move(work)), kPatience); }
+
+void endWithMasterLater(std::function<void()> work) {
+    doWithin(nowOrWhenThere(std::move(work)), std::chrono::milliseconds(0));
 }
 
 bool isDone(const std::function<void()>& work, std::string& why) {

@@ -14,11 +14,17 @@ namespace rtt_roscomm {
 using rtt_ros::isNode;
 using rtt_ros::isNodeReady;
 
-/** Has a thread execute `work`, which asks the master, and waits for it, at most so long: a master that is stopped must not
-    stop this process. If `work` is still going on, it has all that it needs, and ends some time later. */
+/** Has a thread execute `work`, and waits for it, at most so long. If `work` is still going on then, it has all that it
+    needs, and ends some time later. Exceptions are logged. */
 void doWithin(std::function<void()> work, std::chrono::milliseconds limit);
 
-/** As a part of `why`: "topic 'x y': …", from what roscpp throws. Executes `work`. */
+/** Has a thread take something back from the master, such as a topic, and waits for it, at most 2 s. While the master does
+    not answer, `work` is kept until it does: roscpp would wait, and hold what all topics of the process need. */
+void endWithMaster(std::function<void()> work);
+/** The same without waiting, for a callback that roscpp executes: it waits for the callback. */
+void endWithMasterLater(std::function<void()> work);
+
+/** Executes `work`. False, with the text of what it throws in `why`. */
 bool isDone(const std::function<void()>& work, std::string& why);
 
 }  // namespace rtt_roscomm

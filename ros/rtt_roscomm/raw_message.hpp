@@ -8,12 +8,13 @@
 #include <ros/serialization.h>
 #include <rtt_roscomm/message_format.hpp>
 
+#include <cstring>
 #include <stdexcept>
 
 namespace rtt_roscomm {
 
 struct RawMessage {
-    const MessageFormat& format;
+    const MessageFormat* format;  // null: the sample is the bytes of the message
     const void* sample;
     std::size_t size;  // from MessageFormat::sizeOf()
 };
@@ -40,7 +41,10 @@ struct Serializer<rtt_roscomm::RawMessage> {
     template <class Stream>
     static void write(Stream& stream, const rtt_roscomm::RawMessage& message) {
         const std::uint32_t size = static_cast<std::uint32_t>(message.size);
-        if (!message.format.write(message.sample, stream.advance(size), size))
+        std::uint8_t* const to = stream.advance(size);
+        if (!message.format)
+            std::memcpy(to, message.sample, size);
+        else if (!message.format->write(message.sample, to, size))
             throw std::length_error("the sample changed while it was encoded");
     }
     static std::uint32_t serializedLength(const rtt_roscomm::RawMessage& message) {

@@ -2,10 +2,12 @@
 // Copyright Oroforge contributors
 #include <rtt_roscomm/rtt_rostopic_ros_publish_activity.hpp>
 
+#include <rtt/Logger.hpp>
 #include <rtt_roscomm/detail/due_publisher.hpp>
 #include <rtt_roscomm/detail/lane.hpp>
 
 #include <algorithm>
+#include <exception>
 #include <mutex>
 #include <utility>
 #include <vector>
@@ -22,6 +24,19 @@ struct RosPublishActivity::Parts {
     std::vector<Foreign> foreign;
     std::vector<std::unique_ptr<Lane>> left;  // whose publishers removed themselves
     unsigned users = 0;
+
+    std::vector<Foreign>::iterator find(const RosPublisher* publisher) {
+        return std::find_if(foreign.begin(), foreign.end(),
+                            [&](const Foreign& one) { return one.first == publisher; });
+    }
+    /** Those whose threads the caller can end, without the lock. */
+    std::vector<std::unique_ptr<Lane>> takeLeft() {
+        std::vector<std::unique_ptr<Lane>> taken;
+        for (std::unique_ptr<Lane>& one : left)
+            if (!one->isSelf()) taken.push_back(std::move(one));
+        left.erase(std::remove(left.begin(), left.end(), nullptr), left.end());
+        return taken;
+    }
 };
 
 // Never destroyed: a thread of a static object of a user may write until the very end of the process.
@@ -41,7 +56,9 @@ RosPublishActivity::~RosPublishActivity() {
 
 void RosPublishActivity::addUser() {
     const std::lock_guard<std::mutex> lock(parts_->mutex);
-    if (parts_->users++ == 0) (void)start();
+    ++parts_->users;
+    if (!isActive() && !start())
+        RTT::log(RTT::Error) << "the thread that sends to topics of ROS does not start; nothing is sent" << RTT::endlog();
 }
 
 // The thread takes the mutex, so this must not hold it while it waits for the thread.
@@ -53,13 +70,16 @@ void RosPublishActivity::removeUser() {
     if (isSelf()) return;  // it has nothing to do, and goes on with the next publisher
     (void)stop();
     const std::lock_guard<std::mutex> lock(parts_->mutex);
-    if (parts_->users != 0) (void)start();
+    if (parts_->users != 0 && !isActive()) (void)start();
 }
 
 void RosPublishActivity::addPublisher(RosPublisher* publisher) {
     auto lane = std::make_unique<Lane>(*publisher);
+    std::vector<std::unique_ptr<Lane>> left;
     {
         const std::lock_guard<std::mutex> lock(parts_->mutex);
+        left = parts_->takeLeft();
+        if (parts_->find(publisher) != parts_->foreign.end()) return;  // it is there already
         parts_->foreign.emplace_back(publisher, std::move(lane));
     }
     addUser();
@@ -70,15 +90,13 @@ void RosPublishActivity::removePublisher(RosPublisher* publisher) {
     std::vector<std::unique_ptr<Lane>> left;
     {
         const std::lock_guard<std::mutex> lock(parts_->mutex);
-        const auto found = std::find_if(parts_->foreign.begin(), parts_->foreign.end(),
-                                        [&](const Parts::Foreign& one) { return one.first == publisher; });
+        const auto found = parts_->find(publisher);
         if (found == parts_->foreign.end()) return;
         lane = std::move(found->second);
         parts_->foreign.erase(found);
-        if (lane->isSelf())
-            parts_->left.push_back(std::move(lane));
-        else
-            left.swap(parts_->left);
+        left = parts_->takeLeft();
+        lane->leave();
+        if (lane->isSelf()) parts_->left.push_back(std::move(lane));
     }
     removeUser();
 }
@@ -92,7 +110,13 @@ void RosPublishActivity::loop() {
         const std::lock_guard<std::mutex> lock(parts_->mutex);
         for (const Parts::Foreign& one : parts_->foreign) (void)one.second->trigger();
     }
-    parts_->due.takeAll([](DuePublisher& one) { one.publishDue(); });
+    parts_->due.takeAll([](DuePublisher& one) {
+        try {
+            one.publishDue();
+        } catch (const std::exception& error) {
+            RTT::log(RTT::Error) << "a topic of ROS cannot be served: " << error.what() << RTT::endlog();
+        }
+    });
 }
 
 }  // namespace rtt_roscomm

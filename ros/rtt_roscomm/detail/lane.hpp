@@ -4,7 +4,10 @@
 #define RTT_ROSCOMM_DETAIL_LANE_HPP
 
 #include <rtt/Activity.hpp>
+#include <rtt/Logger.hpp>
 #include <rtt_roscomm/rtt_rostopic_ros_publish_activity.hpp>
+
+#include <atomic>
 
 namespace rtt_roscomm::detail {
 
@@ -16,19 +19,26 @@ public:
           publisher_(publisher) {
         // A publisher may take its time, and must not be destroyed before it is done.
         setStopTimeout(3600.0);
-        (void)start();
+        if (!start())
+            RTT::log(RTT::Error) << "a publisher of ROS has no thread; it sends nothing" << RTT::endlog();
     }
     ~Lane() override {
         (void)stop();
         terminate();
     }
 
+    /** Calls the publisher no more, except where it is calling it now. */
+    void leave() { hasLeft_ = true; }
+
 protected:
-    void loop() override { publisher_.publish(); }
+    void loop() override {
+        if (!hasLeft_) publisher_.publish();
+    }
     bool breakLoop() override { return true; }
 
 private:
     RosPublisher& publisher_;
+    std::atomic<bool> hasLeft_{false};
 };
 
 }  // namespace rtt_roscomm::detail

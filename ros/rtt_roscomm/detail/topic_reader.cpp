@@ -29,7 +29,6 @@ namespace rtt_roscomm::detail {
 
 namespace {
 
-constexpr std::chrono::milliseconds kPatience(2000);
 constexpr RTT::nsecs kBetweenComplaints = 1000 * 1000 * 1000;
 /** Of this thread: the receiver whose sample it is writing. */
 thread_local const void* writing = nullptr;
@@ -44,9 +43,11 @@ public:
         : ops_(*type.getOps()), format_(std::move(format)), described_(std::move(described)), first_(type.buildValue()) {}
     ~Receiver() override { discard(spare_.load()); }
 
+    /** Holds the element until the next call. */
     void setTarget(RTT::base::ChannelElementBase* element, const std::string& topic) {
-        const std::lock_guard<std::recursive_mutex> lock(mutex_);
-        element_ = element;
+        Target before = element;
+        const std::lock_guard<std::mutex> lock(mutex_);
+        element_.swap(before);
         topic_ = topic;
     }
     bool isWriting() const { return writing == this; }
@@ -64,24 +65,44 @@ public:
         if (format_->read(params.buffer, params.length, sample.get(), why)) return sample;
         refused_.fetch_add(1, std::memory_order_relaxed);
         const auto from = params.connection_header->find("callerid");
-        complain(from == params.connection_header->end() ? "a node" : from->second, params.length, why);
+        complain("a message of " + std::to_string(params.length) + " bytes from " +
+                     (from == params.connection_header->end() ? "a node" : from->second),
+                 "it is no " + format_->message() + ": " + why);
         return {};
     }
     void call(ros::SubscriptionCallbackHelperCallParams& params) override {
         const boost::shared_ptr<void const> sample = params.event.getConstMessage();
-        const std::lock_guard<std::recursive_mutex> lock(mutex_);
-        if (!element_) return;
+        const Target element = target();
+        if (!element) return;
         received_.fetch_add(1, std::memory_order_relaxed);
-        const void* const outer = std::exchange(writing, this);
-        {
+        const Writing now(*this);
+        // An exception would end the process.
+        try {
             const RTT::internal::Reclaimer::Guard guard;
-            if (element_->RTT::base::ChannelElementBase::writeErased(sample.get()) == RTT::WriteFailure)
+            if (element->RTT::base::ChannelElementBase::writeErased(sample.get()) == RTT::WriteFailure)
                 refused_.fetch_add(1, std::memory_order_relaxed);
+        } catch (const std::exception& error) {
+            refused_.fetch_add(1, std::memory_order_relaxed);
+            complain("a message", error.what());
         }
-        writing = outer;
     }
 
 private:
+    typedef RTT::base::ChannelElementBase::shared_ptr Target;
+    class Writing {
+    public:
+        explicit Writing(const Receiver& receiver) : outer_(std::exchange(writing, &receiver)) {}
+        ~Writing() { writing = outer_; }
+        Writing(const Writing&) = delete;
+        Writing& operator=(const Writing&) = delete;
+
+    private:
+        const void* const outer_;
+    };
+    Target target() {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        return element_;
+    }
     /** One sample is used again and again, with the memory that its containers have. */
     boost::shared_ptr<void> newSample() {
         void* sample = spare_.exchange(nullptr, std::memory_order_acquire);
@@ -98,12 +119,17 @@ private:
         ops_.destroy(sample);
         ::operator delete(sample, std::align_val_t(ops_.align));
     }
-    void complain(const std::string& from, std::uint32_t size, const std::string& why) {
+    void complain(const std::string& what, const std::string& why) {
         const RTT::nsecs now = rtos_get_time_ns();
         RTT::nsecs next = nextComplaint_.load();
         if (now < next || !nextComplaint_.compare_exchange_strong(next, now + kBetweenComplaints)) return;
-        RTT::log(RTT::Error) << described_ << ": a message of " << size << " bytes from " << from << " on topic "
-                             << topic_ << " is no " << format_->message() << ": " << why << RTT::endlog();
+        std::string topic;
+        {
+            const std::lock_guard<std::mutex> lock(mutex_);
+            topic = topic_;
+        }
+        RTT::log(RTT::Error) << described_ << ": " << what << " on topic " << topic << " is ignored: " << why
+                             << RTT::endlog();
     }
 
     const RTT::types::TypeOps& ops_;
@@ -113,9 +139,8 @@ private:
     std::atomic<void*> spare_{nullptr};
     std::atomic<std::uint64_t> received_{0}, refused_{0};
     std::atomic<RTT::nsecs> nextComplaint_{0};
-    // Recursive, because a port that is written may have its component close this stream.
-    std::recursive_mutex mutex_;
-    RTT::base::ChannelElementBase* element_ = nullptr;
+    std::mutex mutex_;  // guards all below; held for moments only
+    Target element_;
     std::string topic_;
 };
 
@@ -130,6 +155,7 @@ TopicReader::TopicReader(const RTT::base::PortInterface& port, const RTT::ConnPo
 TopicReader::~TopicReader() { close(); }
 
 bool TopicReader::open(RTT::base::ChannelElementBase& element, std::string& why) {
+    const std::lock_guard<std::mutex> lock(changing_);
     if (isOpen_) return true;
     if (!isNodeReady(why)) return false;
     const bool isFine = isDone(
@@ -144,7 +170,7 @@ bool TopicReader::open(RTT::base::ChannelElementBase& element, std::string& why)
         why);
     if (!isFine || !subscriber_) {
         receiver_->setTarget(nullptr, name_);
-        if (isFine) why = whyRefused(ros::names::resolve(name_), *format_);
+        if (isFine && isNodeReady(why)) why = whyRefused(ros::names::resolve(name_), *format_);
         return false;
     }
     isOpen_ = true;
@@ -155,12 +181,14 @@ bool TopicReader::open(RTT::base::ChannelElementBase& element, std::string& why)
 }
 
 void TopicReader::close() {
+    const std::lock_guard<std::mutex> lock(changing_);
     if (!std::exchange(isOpen_, false)) return;
     hide();
     receiver_->setTarget(nullptr, topic_);
     const auto taken = std::make_shared<ros::Subscriber>(std::move(subscriber_));
+    const auto end = [taken] { taken->shutdown(); };
     // roscpp waits for a callback that is executing, which may be the one that calls this.
-    doWithin([taken] { taken->shutdown(); }, receiver_->isWriting() ? std::chrono::milliseconds(0) : kPatience);
+    receiver_->isWriting() ? endWithMasterLater(end) : endWithMaster(end);
 }
 
 TopicState TopicReader::state() const {

@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <string>
 
 #include <boost/shared_ptr.hpp>
@@ -49,6 +50,7 @@ private:
     const std::string name_;
     const std::uint32_t queueSize_;
     const boost::shared_ptr<Receiver> receiver_;
+    std::mutex changing_;  // open() and close() are called by different threads
     std::string topic_;
     ros::Subscriber subscriber_;
     bool isOpen_ = false;

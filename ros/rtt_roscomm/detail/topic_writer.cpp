@@ -15,7 +15,8 @@
 #include <rtt_roscomm/raw_message.hpp>
 
 #include <algorithm>
-#include <exception>
+#include <new>
+#include <stdexcept>
 #include <utility>
 
 namespace rtt_roscomm::detail {
@@ -80,7 +81,7 @@ bool TopicWriter::advertise(const ConnPolicy& policy, std::string& why) {
         why);
     if (!isFine) return false;
     if (!publisher_) {
-        why = whyRefused(ros::names::resolve(policy.name_id), *format_);
+        if (isNodeReady(why)) why = whyRefused(ros::names::resolve(policy.name_id), *format_);
         return false;
     }
     topic_ = publisher_.getTopic();
@@ -90,7 +91,7 @@ bool TopicWriter::advertise(const ConnPolicy& policy, std::string& why) {
 
 WriteStatus TopicWriter::write(const void* sample) {
     if (!store_) {
-        const std::lock_guard<std::mutex> lock(sending_);
+        const std::lock_guard<std::timed_mutex> lock(sending_);
         return !isClosed_ && send(sample) ? RTT::WriteSuccess : RTT::WriteFailure;
     }
     const WriteStatus status = store_->write(sample);
@@ -101,14 +102,15 @@ WriteStatus TopicWriter::write(const void* sample) {
 WriteStatus TopicWriter::setSample(const void* sample, bool reset) {
     if (!store_) return RTT::WriteSuccess;
     store_->setSample(sample, reset);
-    const std::lock_guard<std::mutex> lock(sending_);
+    const std::lock_guard<std::timed_mutex> lock(sending_);
     (void)sample_->assignValue(sample);
     return RTT::WriteSuccess;
 }
 
 void TopicWriter::publishDue() {
+    if (!store_) return;
     {
-        const std::lock_guard<std::mutex> lock(sending_);
+        const std::lock_guard<std::mutex> lock(laneMutex_);
         if (lane_) {
             (void)lane_->trigger();
             return;
@@ -116,17 +118,25 @@ void TopicWriter::publishDue() {
     }
     const RTT::nsecs begin = rtos_get_time_ns();
     publishAll();
-    if (rtos_get_time_ns() - begin < kSlow) return;
-    auto lane = std::make_unique<Lane>(static_cast<RosPublisher&>(*this));
-    const std::lock_guard<std::mutex> lock(sending_);
-    if (!isClosed_) lane_ = std::move(lane);
+    if (rtos_get_time_ns() - begin >= kSlow) leaveTheOthers();
+}
+
+void TopicWriter::leaveTheOthers() {
+    std::string why;
+    std::unique_ptr<Lane> lane;
+    // Without one, it delays the others as before.
+    (void)isDone([&] { lane = std::make_unique<Lane>(static_cast<RosPublisher&>(*this)); }, why);
+    const std::lock_guard<std::mutex> lock(laneMutex_);
+    if (isClosed_) return;
+    lane_ = std::move(lane);
+    isSlow_ = true;
 }
 
 void TopicWriter::publish() { publishAll(); }
 
 // As many as the store has room for: one that is written faster than it is sent must let the others have their turn.
 void TopicWriter::publishAll() {
-    std::unique_lock<std::mutex> lock(sending_);
+    const std::lock_guard<std::timed_mutex> lock(sending_);
     void* const sample = sample_->getRawPointer();
     for (std::size_t left = store_->capacity(); left != 0; --left) {
         if (isClosed_ || store_->read(sample, false) != RTT::NewData) return;
@@ -138,16 +148,25 @@ void TopicWriter::publishAll() {
 bool TopicWriter::send(const void* sample) {
     std::size_t size = 0;
     const char* why = "a container in it is too large, or it has a value that the message cannot have";
-    if (format_->sizeOf(sample, size) && size <= kLargestMessage) {
-        if (ros::isShuttingDown() || !publisher_) return false;
-        try {
-            publisher_.publish(RawMessage{*format_, sample, size});
+    if (ros::isShuttingDown() || !publisher_) return false;
+    try {
+        if (format_->sizeOf(sample, size) && size <= kLargestMessage) {
+            if (isSlow_) {
+                // Roscpp has the message encoded with a lock that all topics of the process need.
+                bytes_.resize(size);
+                if (!format_->write(sample, bytes_.data(), size)) throw std::length_error(why);
+                publisher_.publish(RawMessage{nullptr, bytes_.data(), size});
+            } else {
+                publisher_.publish(RawMessage{format_.get(), sample, size});
+            }
             published_.fetch_add(1, std::memory_order_relaxed);
             complained_.store(false, std::memory_order_relaxed);
             return true;
-        } catch (const std::exception&) {
-            why = "it changed meanwhile, or there is no memory for the message";
         }
+    } catch (const std::bad_alloc&) {
+        why = "there is no memory for the message";
+    } catch (...) {
+        why = "its adapter throws, or the sample changed meanwhile";
     }
     if (!complained_.exchange(true))
         RTT::log(RTT::Error) << described_ << ": a sample does not get to topic " << topic_ << ": " << why
@@ -158,15 +177,19 @@ bool TopicWriter::send(const void* sample) {
 void TopicWriter::close() {
     std::unique_ptr<Lane> lane;
     {
-        const std::lock_guard<std::mutex> lock(sending_);
+        const std::lock_guard<std::mutex> lock(laneMutex_);
         isClosed_ = true;
         if (!std::exchange(isOpen_, false)) return;
         lane = std::move(lane_);
     }
     hide();
+    {
+        // What is being sent is to be sent. Others who wait for roscpp are not waited for.
+        const std::unique_lock<std::timed_mutex> lock(sending_, kPatience);
+    }
     const Pointer self(this);
-    doWithin([self] { self->publisher_.shutdown(); }, kPatience);
-    lane.reset();
+    endWithMaster([self] { self->publisher_.shutdown(); });
+    if (lane) doWithin([kept = std::shared_ptr<Lane>(std::move(lane)), self] {}, kPatience);
     activity_.removeUser();
 }
 

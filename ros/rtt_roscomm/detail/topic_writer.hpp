@@ -17,6 +17,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <vector>
 
 #include <boost/smart_ptr/intrusive_ptr.hpp>
 
@@ -46,7 +47,7 @@ public:
     RTT::WriteStatus write(const void* sample);
     /** A sample of the largest size, which is not sent. */
     RTT::WriteStatus setSample(const void* sample, bool reset);
-    /** Sends no more and takes the topic back. Waits for what is being sent, and at most 2 s for the master. */
+    /** Sends no more and takes the topic back. Waits for what is being sent, and for the master, at most some seconds. */
     void close();
 
     const std::string& topic() const { return topic_; }
@@ -62,6 +63,7 @@ private:
     bool advertise(const RTT::ConnPolicy& policy, std::string& why);
     void publish() override;  // by the lane
     void publishAll();
+    void leaveTheOthers();
     bool send(const void* sample);
 
     RosPublishActivity& activity_;
@@ -71,9 +73,12 @@ private:
     std::unique_ptr<RTT::internal::SampleStore> store_;  // null if unbuffered
     const RTT::base::DataSourceBase::shared_ptr sample_;  // the one that is sent
     ros::Publisher publisher_;
-    std::mutex sending_;  // one thread sends at a time; guards all below
-    bool isOpen_ = false, isClosed_ = false;
+    std::timed_mutex sending_;  // one thread sends at a time
+    std::mutex laneMutex_;      // guards isOpen_ and lane_; held for moments only
+    bool isOpen_ = false;
     std::unique_ptr<Lane> lane_;
+    std::atomic<bool> isClosed_{false}, isSlow_{false};
+    std::vector<std::uint8_t> bytes_;  // the message of a slow one
     std::atomic<std::uint64_t> published_{0};
     std::atomic<bool> complained_{false};
 };

@@ -200,17 +200,30 @@ TEST_F(RosTopicFaults, AMasterThatReturnsKnowsTheTopicsAgain) {
 }
 
 TEST_F(RosTopicFaults, AStoppedMasterHoldsNobodyUp) {
-    RTT::OutputPort<double> out("out");
-    component.addPort(out);
-    ASSERT_TRUE(out.createStream(topic("/t")));
+    RTT::OutputPort<double> first("first"), second("second"), third("third");
+    RTT::InputPort<double> in("in");
+    for (RTT::base::PortInterface* port : std::vector<RTT::base::PortInterface*>{&first, &second, &third, &in})
+        component.addPort(*port);
+    ASSERT_TRUE(first.createStream(topic("/first")));
+    ASSERT_TRUE(second.createStream(topic("/second")));
+    ASSERT_TRUE(third.createStream(topic("/third")));
+    ASSERT_TRUE(in.createStream(topic("/third")));
     node.master().send(SIGSTOP);
     const auto begin = std::chrono::steady_clock::now();
     RTT::OutputPort<double> other("other");
     component.addPort(other);
     EXPECT_FALSE(other.createStream(topic("/u")));
-    out.disconnect();
-    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(6));
+    first.disconnect();
+    second.disconnect();
+    double value = 0;
+    EXPECT_TRUE(soon([&] {
+        third.write(7);
+        return in.read(value) == RTT::NewData;
+    }));
+    in.disconnect();
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(12));
     node.master().send(SIGCONT);
+    EXPECT_TRUE(soon([&] { return RosMaster::tool({"rostopic", "list"}).out.find("/second") == std::string::npos; }));
 }
 
 TEST_F(RosTopicFaults, ASlowPublisherDelaysNoOther) {

@@ -13,6 +13,8 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <stdexcept>
+#include <thread>
 
 namespace {
 
@@ -20,6 +22,7 @@ namespace {
 struct Speed {
     double value = 0;
 };
+std::atomic<bool> mustThrow{false}, mustWait{false};
 
 }  // namespace
 
@@ -29,6 +32,8 @@ struct RosMessageAdapter<Speed> {
     typedef Speed OrocosType;
     typedef std_msgs::Float64 RosType;
     static RosType toRos(const OrocosType& speed) {
+        if (mustThrow) throw std::runtime_error("no message for this");
+        while (mustWait) std::this_thread::sleep_for(std::chrono::milliseconds(1));
         RosType message;
         message.data = speed.value * 3.6;
         return message;
@@ -46,10 +51,14 @@ namespace {
 using namespace rtt_roscomm;
 using ros_test::soon;
 
-TEST(RosTypedTransport, TheAdapterMakesTheMessages) {
-    const ros_test::Node node;
+void addType() {
     RTT::types::Types()->addType(new RTT::types::TemplateTypeInfo<Speed>("/Speed"));
     ASSERT_TRUE(RTT::types::Types()->type("/Speed")->addProtocol(ORO_ROS_PROTOCOL_ID, new RosMsgTransporter<Speed>()));
+}
+
+TEST(RosTypedTransport, TheAdapterMakesTheMessages) {
+    const ros_test::Node node;
+    addType();
     RTT::TaskContext component("c");
     RTT::OutputPort<Speed> out("out");
     RTT::InputPort<Speed> in("in");
@@ -76,12 +85,75 @@ TEST(RosTypedTransport, TheAdapterMakesTheMessages) {
     EXPECT_FALSE(in.connected());
 }
 
+TEST(RosTypedTransport, AnAdapterThatThrowsStopsNoTopic) {
+    const ros_test::Node node;
+    addType();
+    RTT::TaskContext component("c");
+    RTT::OutputPort<Speed> out("out");
+    RTT::OutputPort<double> other("other");
+    RTT::InputPort<double> in("in");
+    component.addPort(out);
+    component.addPort(other);
+    component.addPort(in);
+    ASSERT_TRUE(out.createStream(topic("/speed")));
+    ASSERT_TRUE(other.createStream(topic("/other")));
+    ASSERT_TRUE(in.createStream(topic("/other")));
+    mustThrow = true;
+    out.write(Speed());
+    double value = 0;
+    EXPECT_TRUE(soon([&] {
+        other.write(1);
+        return in.read(value) == RTT::NewData;
+    }));
+    mustThrow = false;
+}
+
+TEST(RosTypedTransport, ASlowAdapterDelaysNoOtherAfterTheFirstTime) {
+    const ros_test::Node node;
+    addType();
+    RTT::TaskContext component("c");
+    RTT::OutputPort<Speed> out("out");
+    RTT::OutputPort<double> other("other");
+    RTT::InputPort<Speed> seen("seen");
+    RTT::InputPort<double> in("in");
+    component.addPort(out);
+    component.addPort(other);
+    component.addPort(seen);
+    component.addPort(in);
+    ASSERT_TRUE(out.createStream(topic("/speed")));
+    ASSERT_TRUE(seen.createStream(topic("/speed")));
+    ASSERT_TRUE(other.createStream(topic("/other")));
+    ASSERT_TRUE(in.createStream(topic("/other")));
+    Speed speed;
+    ASSERT_TRUE(soon([&] {
+        out.write(speed);
+        return seen.read(speed) == RTT::NewData;
+    }));
+    mustWait = true;
+    out.write(Speed());
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    mustWait = false;
+    ASSERT_TRUE(soon([&] { return seen.read(speed) == RTT::NewData; }));
+    mustWait = true;
+    for (int i = 0; i != 20; ++i) {
+        out.write(Speed());
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    double value = 0;
+    EXPECT_TRUE(soon([&] {
+        other.write(1);
+        return in.read(value) == RTT::NewData;
+    }));
+    mustWait = false;
+}
+
 TEST(RosTypedTransport, PublishersOfUsersAreCalledByTheActivity) {
     struct Counter : RosPublisher {
         void publish() override { ++calls; }
         std::atomic<int> calls{0};
     } counter;
     const RosPublishActivity::shared_ptr activity = RosPublishActivity::Instance();
+    activity->addPublisher(&counter);
     activity->addPublisher(&counter);
     EXPECT_EQ(ORO_SCHED_OTHER, activity->getScheduler());
     EXPECT_TRUE(activity->isActive());
