@@ -6,6 +6,7 @@
 #include <ros/master.h>
 #include <ros/this_node.h>
 #include <rtt_roscomm/detail/master_call.hpp>
+#include <rtt_roscomm/detail/master_watch.hpp>
 
 #include <condition_variable>
 #include <deque>
@@ -99,5 +100,9 @@ bool isDone(const std::function<void()>& work, std::string& why) {
     }
     return false;
 }
+
+void keepService(const std::string& name) { MasterWatch::instance().addService(name); }
+
+void dropService(const std::string& name) { MasterWatch::instance().removeService(name); }
 
 }  // namespace rtt_roscomm::detail
