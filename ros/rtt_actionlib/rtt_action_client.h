@@ -20,7 +20,8 @@ namespace rtt_actionlib {
 /**
  * As actionlib::ActionClient, with ports instead of topics. The callbacks of goals are called in the component's thread,
  * while it is running. Any thread may call the functions below and use goal handles. Nothing here is real-time safe.
- * Destroy it in another thread than one of its callbacks; goal handles that are left do nothing from then on.
+ * Destroy it in another thread than one of its callbacks. As with actionlib, goal handles that are left may then only
+ * be destroyed.
  */
 template <class ActionSpec>
 class RTTActionClient {

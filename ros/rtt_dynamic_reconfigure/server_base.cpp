@@ -29,11 +29,12 @@ typedef RTT::internal::AssignableDataSource<RTT::PropertyBag> Bag;
 ConfigModel::~ConfigModel() = default;
 
 struct ServerBase::Parts {
-    explicit Parts(RTT::PropertyBag& service)
+    Parts(RTT::TaskContext* owner, RTT::PropertyBag& service)
         : min(add(service, "min", "The lowest values. Call refresh() after a change.")),
           max(add(service, "max", "The highest values. Call refresh() after a change.")),
           defaults(add(service, "default", "The values that clients show as defaults.")),
-          limits{min->set(), max->set(), defaults->set()} {}
+          limits{min->set(), max->set(), defaults->set()},
+          thread(owner) {}
 
     const Bag::shared_ptr min, max, defaults;  // of properties of the service
     Limits limits;
@@ -59,21 +60,16 @@ struct ServerBase::Parts {
         return std::exchange(topics, std::move(next));
     }
 
-    /** Executes `work(properties)` in the component's thread; false if that is impossible or it throws. */
-    bool within(RTT::TaskContext* owner, const std::atomic<bool>& isClosed, std::string& why,
-                const std::function<bool(const RTT::PropertyBag&)>& work) {
-        if (!owner) {
-            why = "the service belongs to no component";
-            return false;
-        }
+    /** Executes `work(component, properties)` in the component's thread; false if that is impossible or it throws. */
+    bool within(const std::atomic<bool>& isClosed, std::string& why,
+                const std::function<bool(RTT::TaskContext&, const RTT::PropertyBag&)>& work) {
         bool isDone = false;
         std::string problem;
         const bool wasExecuted = thread.execute(
-            *owner,
-            [&] {
+            [&](RTT::TaskContext& owner) {
                 try {
                     ++number;
-                    isDone = work(*owner->properties());
+                    isDone = work(owner, *owner.properties());
                 } catch (const std::exception& error) {
                     problem = error.what();
                 }
@@ -101,7 +97,7 @@ private:
 }  // namespace
 
 ServerBase::ServerBase(const std::string& name, RTT::TaskContext* owner, std::unique_ptr<ConfigModel> model)
-    : RTT::Service(name, owner), model_(std::move(model)), parts_(std::make_unique<Parts>(*properties())) {
+    : RTT::Service(name, owner), model_(std::move(model)), parts_(std::make_unique<Parts>(owner, *properties())) {
     doc("Lets clients of dynamic_reconfigure change the properties of the component.");
     RTT::Attribute<RTT::PropertyBag> dflt("dflt", parts_->defaults);
     addAttribute(dflt);
@@ -120,14 +116,15 @@ ServerBase::~ServerBase() { shutdown(); }
 
 bool ServerBase::isFine(bool succeeded, const char* what, const std::string& why) const {
     if (!succeeded)
-        RTT::log(RTT::Error) << "the properties of component '" << (getOwner() ? getOwner()->getName() : std::string())
+        RTT::log(RTT::Error) << "the properties of component '" << parts_->thread.name()
                              << "' were not " << what << ": " << why << RTT::endlog();
     return succeeded;
 }
 
 bool ServerBase::advertise(const std::string& ns) {
     std::string why, where = ns;
-    if (where.empty() && getOwner()) where = getOwner()->getName() == "Deployer" ? "~" : "~" + getOwner()->getName();
+    const std::string& owner = parts_->thread.name();
+    if (where.empty()) where = owner == "Deployer" ? "~" : "~" + owner;
     if (parts_->setting == std::this_thread::get_id())
         return isFine(false, "advertised", "a request of a client is being executed");
     shutdown();
@@ -155,7 +152,7 @@ bool ServerBase::updated() {
     Config config;
     unsigned number = 0;
     const bool isRead =
-        parts_->within(getOwner(), topics->isClosed(), why, [&](const RTT::PropertyBag& properties) {
+        parts_->within(topics->isClosed(), why, [&](RTT::TaskContext&, const RTT::PropertyBag& properties) {
             model_->read(properties, config);
             number = parts_->number;
             return true;
@@ -172,7 +169,7 @@ bool ServerBase::refresh() {
     ConfigDescription description;
     unsigned number = 0;
     const bool isRead = parts_->within(
-        getOwner(), topics ? topics->isClosed() : never, why, [&](const RTT::PropertyBag& properties) {
+        topics ? topics->isClosed() : never, why, [&](RTT::TaskContext&, const RTT::PropertyBag& properties) {
             model_->describe(properties, parts_->limits, parts_->description);
             description = parts_->description;
             model_->read(properties, config);
@@ -192,7 +189,7 @@ bool ServerBase::set(const Config& request, Config& response) {
     if (!topics) return false;
     std::string why;
     unsigned number = 0;
-    const bool isSet = parts_->within(getOwner(), topics->isClosed(), why, [&](const RTT::PropertyBag& properties) {
+    const bool isSet = parts_->within(topics->isClosed(), why, [&](RTT::TaskContext& owner, const RTT::PropertyBag& properties) {
         const Setting within(parts_->setting);
         ConfigDescription& description = parts_->description;
         Config present, merged;
@@ -207,9 +204,9 @@ bool ServerBase::set(const Config& request, Config& response) {
             why = "the values do not fit the properties";
             return false;
         }
-        if (!detail::setProperties(*getOwner(), bag, level, why)) return false;
+        if (!detail::setProperties(owner, bag, level, why)) return false;
         model_->accept();
-        detail::tellChanged(*getOwner(), level);
+        detail::tellChanged(owner, level);
         model_->read(properties, response);
         return true;
     });

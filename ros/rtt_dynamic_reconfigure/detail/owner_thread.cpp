@@ -60,27 +60,40 @@ private:
 
 }  // namespace
 
-bool OwnerThread::execute(RTT::TaskContext& owner, const std::function<void()>& work, const std::atomic<bool>& isClosed,
-                          std::string& why) {
-    const boost::intrusive_ptr<const EngineGate> gate = owner.engine()->gate();
+OwnerThread::OwnerThread(RTT::TaskContext* owner)
+    : owner_(owner),
+      gate_(owner ? owner->engine()->gate() : nullptr),
+      name_(owner ? owner->getName() : std::string()) {}
+
+OwnerThread::~OwnerThread() = default;
+
+bool OwnerThread::executeHere(const Work& work) {
+    // During the visit the component is not destroyed.
+    const EngineGate::Visit visit(*gate_);
+    if (!visit.engine()) return false;
     for (const EngineGate::Stand::As as : {EngineGate::Stand::Self, EngineGate::Stand::Anybody}) {
-        const EngineGate::Stand stand(gate.get(), as);
+        const EngineGate::Stand stand(gate_.get(), as);
         if (!stand) continue;
         const std::lock_guard<std::recursive_mutex> lock(direct_);
-        work();
+        work(*owner_);
         return true;
     }
-    {
-        const EngineGate::Visit visit(*gate);
-        if (visit.engine() && (!visit.activity() || !visit.activity()->isActive())) {
-            const std::lock_guard<std::recursive_mutex> lock(direct_);
-            work();
-            return true;
-        }
+    if (visit.activity() && visit.activity()->isActive()) return false;
+    const std::lock_guard<std::recursive_mutex> lock(direct_);
+    work(*owner_);
+    return true;
+}
+
+bool OwnerThread::execute(const Work& work, const std::atomic<bool>& isClosed, std::string& why) {
+    if (!gate_) {
+        why = "the service belongs to no component";
+        return false;
     }
-    const auto job = std::make_shared<Job>(work);
-    if (!Job::send(job, *gate)) {
-        why = "component '" + owner.getName() + "' takes no messages";
+    if (executeHere(work)) return true;
+    const std::function<void()> bound = [&] { work(*owner_); };
+    const auto job = std::make_shared<Job>(bound);
+    if (!Job::send(job, *gate_)) {
+        why = "component '" + name_ + "' takes no messages";
         return false;
     }
     const std::int64_t deadline = rtos_get_time_ns() + kPatience;
@@ -88,7 +101,7 @@ bool OwnerThread::execute(RTT::TaskContext& owner, const std::function<void()>& 
         const Job::State state = job->state();
         if (state == Job::Done) return true;
         if (state == Job::Dropped) {
-            why = "component '" + owner.getName() + "' was busy for 5 s, or it goes away";
+            why = "component '" + name_ + "' was busy for 5 s, or it goes away";
             return false;
         }
         if (state == Job::Waiting && (isClosed || rtos_get_time_ns() > deadline))

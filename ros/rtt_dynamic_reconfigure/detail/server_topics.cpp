@@ -3,6 +3,7 @@
 #include <rtt_dynamic_reconfigure/detail/server_topics.hpp>
 
 #include <ros/init.h>
+#include <ros/names.h>
 #include <ros/node_handle.h>
 #include <rtt/Logger.hpp>
 #include <rtt_roscomm/node_state.hpp>
@@ -33,6 +34,7 @@ bool ServerTopics::advertise(const std::string& ns, std::string& why) {
         [&] {
             typedef dynamic_reconfigure::ReconfigureRequest Request;
             typedef dynamic_reconfigure::ReconfigureResponse Response;
+            (void)ros::names::resolve(ns);  // Throws if it is no name; a handle would do so, too, and lose memory.
             ros::NodeHandle node(ns);
             descriptions_ = node.advertise<dynamic_reconfigure::ConfigDescription>("parameter_descriptions", 1, true);
             updates_ = node.advertise<dynamic_reconfigure::Config>("parameter_updates", 1, true);

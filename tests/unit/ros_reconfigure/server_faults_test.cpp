@@ -130,6 +130,18 @@ TEST(RosReconfigureFaults, ShutdownWithinARequestIsRefused) {
     EXPECT_TRUE(set("/b", a("x", 6.0)));
 }
 
+TEST(RosReconfigureFaults, AServerThatOutlivesItsComponentRefuses) {
+    const Node node;
+    auto simple = std::make_unique<Simple>();
+    ASSERT_TRUE(serverOf(*simple).advertise("/s"));
+    const RTT::Service::shared_ptr kept = simple->provides("reconfigure");
+    simple.reset();
+    LogCapture log;
+    EXPECT_FALSE(set("/s", a("x", 5.0)));
+    EXPECT_FALSE(dynamic_cast<ServerBase&>(*kept).refresh());
+    EXPECT_THAT(log.finish(), HasSubstr("takes no messages"));
+}
+
 TEST(RosReconfigureFaults, ComponentsAreDestroyedWhileClientsCall) {
     const Node node;
     std::atomic<bool> isOver{false};
