@@ -15,7 +15,6 @@ namespace rtt_dynamic_reconfigure::detail {
 
 namespace {
 
-constexpr std::chrono::milliseconds kPatience(2000);
 
 }  // namespace
 
@@ -83,13 +82,11 @@ void ServerTopics::close() {
     }
     if (service_) rtt_roscomm::dropService(service_.getService());
     const std::shared_ptr<ServerTopics> self = shared_from_this();
-    rtt_roscomm::doWithin(
-        [self] {
-            self->service_.shutdown();
-            self->descriptions_.shutdown();
-            self->updates_.shutdown();
-        },
-        kPatience);
+    rtt_roscomm::endWithMaster([self] {
+        self->service_.shutdown();
+        self->descriptions_.shutdown();
+        self->updates_.shutdown();
+    });
 }
 
 template <class Message>
