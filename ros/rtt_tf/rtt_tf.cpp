@@ -154,7 +154,7 @@ bool RTT_TF::findPrefix(std::string& why) {
     XmlRpc::XmlRpcValue request, key, value;
     request[0] = ros::this_node::getName();  // where the search begins
     request[1] = name;
-    if (rtt_ros::callMaster("searchParam", request, key, limit)) {
+    if (rtt_ros::callMaster("searchParam", request, key, limit) && key.getType() == XmlRpc::XmlRpcValue::TypeString) {
         request[1] = key;
         if (rtt_ros::callMaster("getParam", request, value, limit)) {
             if (value.getType() != XmlRpc::XmlRpcValue::TypeString) {

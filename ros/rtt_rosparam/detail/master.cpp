@@ -110,10 +110,10 @@ std::string setSome(Parameters::const_iterator first, Parameters::const_iterator
     Value updates;
     for (int i = 0; i != results.size(); ++i) {
         // In an array of its own, or a struct that says what is wrong.
-        const bool isStruct = results[i].getType() == Value::TypeStruct && results[i].hasMember("faultString");
+        const bool isStruct = results[i].getType() == Value::TypeStruct;
         if (!isStruct && (results[i].getType() != Value::TypeArray || results[i].size() != 1)) notUnderstood();
         const Answer answer =
-            isStruct ? Answer{0, results[i][std::string("faultString")].toXml(), {}} : answerIn(results[i][0]);
+            isStruct ? Answer{0, results[i].toXml(), {}} : answerIn(results[i][0]);
         if (answer.code == 1)
             add(updates, "paramUpdate", *(first + i));
         else
