@@ -61,8 +61,9 @@ TEST_F(Faults, AnActivityThatStopsTheThreadReleasesTheOneThatWaits) {
     EXPECT_FALSE(update(30 * kMs));
     EXPECT_EQ(r.at, (std::vector<nsecs>{10 * kMs}));
     EXPECT_FALSE(update(40 * kMs));  // nothing would execute it
-    ASSERT_TRUE(eventually([&] { return thread->start(); }));
+    ASSERT_TRUE(eventually([&] { return !thread->isActive(); }));
     r.onStep = nullptr;
+    ASSERT_TRUE(thread->start());
     EXPECT_TRUE(update(50 * kMs));
     EXPECT_EQ(r.at.back(), 50 * kMs);
 }

@@ -17,7 +17,10 @@ struct Limit : ManualClock {
         RTT::Logger::Instance()->setLogLevel(RTT::Logger::Warning);
         RTT::Logger::Instance()->setStdStream(log);
     }
-    ~Limit() override { RTT::Logger::Instance()->setStdStream(std::cerr); }
+    ~Limit() override {
+        RTT::Logger::Instance()->setStdStream(std::cerr);
+        EXPECT_TRUE(rtt_rosclock::set_catch_up_limit(1000));
+    }
     int warnings() const {
         int count = 0;
         const std::string text = log.str(), word = "was due";
