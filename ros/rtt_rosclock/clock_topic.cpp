@@ -45,14 +45,6 @@ private:
     std::function<void()> onMessage_;
 };
 
-/// What threads of ROS may still use; reachable, so that it is no leak to tools.
-void keepForEver(std::shared_ptr<void> what) {
-    static std::mutex mutex;
-    static auto& all = *new std::vector<std::shared_ptr<void>>;
-    const std::lock_guard<std::mutex> lock(mutex);
-    all.push_back(std::move(what));
-}
-
 }  // namespace
 
 struct ClockTopic::Subscription {
@@ -82,6 +74,33 @@ struct ClockTopic::Subscription {
     bool isNew = false;
 };
 
+// Subscriptions that are closed, and that threads of ROS may still use. Reachable, so that they are no leak to tools.
+struct ClockTopic::Closed {
+    static Closed& instance() {
+        static Closed* const one = new Closed;
+        return *one;
+    }
+    void add(const std::shared_ptr<Subscription>& subscription) {
+        const std::lock_guard<std::mutex> lock(mutex);
+        all.push_back(subscription);
+    }
+    /// roscpp holds a lock while it tells the master, and could not even end the node then. So those that are closed while
+    /// the master is silent end with a later one.
+    void endAll() {
+        std::string why;
+        if (!rtt_ros::isNodeReady(why)) return;
+        std::vector<std::shared_ptr<Subscription>> mine;
+        {
+            const std::lock_guard<std::mutex> lock(mutex);
+            mine.swap(all);
+        }
+        for (const auto& one : mine)
+            if (!one->end()) add(one);
+    }
+    std::mutex mutex;
+    std::vector<std::shared_ptr<Subscription>> all;
+};
+
 std::string ClockTopic::whyNot() {
     std::string why;
     if (!rtt_ros::isNodeReady(why)) return why.empty() ? "this process cannot be a ROS node; the log says why" : why;
@@ -105,11 +124,8 @@ ClockTopic::~ClockTopic() { close(); }
 void ClockTopic::close() {
     if (isClosed_.exchange(true)) return;
     subscription_->queue.disarm();
-    rtt_roscomm::doWithin(
-        [held = subscription_] {
-            if (!held->end()) keepForEver(held);
-        },
-        kUnsubscribes);
+    Closed::instance().add(subscription_);
+    rtt_roscomm::doWithin([] { Closed::instance().endAll(); }, kUnsubscribes);
 }
 
 bool ClockTopic::poll(long long& time) {

@@ -29,6 +29,7 @@ public:
 
 private:
     struct Subscription;
+    struct Closed;
     const std::shared_ptr<Subscription> subscription_;
     std::atomic<bool> isClosed_{false};
 };

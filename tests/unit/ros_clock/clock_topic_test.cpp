@@ -13,7 +13,14 @@
 
 #include <chrono>
 #include <csignal>
+#include <map>
+#include <string>
 #include <thread>
+
+namespace ros::master {
+// roscpp has it, in no header that is installed.
+void init(const std::map<std::string, std::string>& remappings);
+}  // namespace ros::master
 
 namespace {
 
@@ -159,6 +166,23 @@ TEST_F(ClockTopicTest, AStoppedMasterHoldsNobodyUp) {
         publish(20 * kMs);
         return simulated() == 20 * kMs;
     }));
+    EXPECT_TRUE(disable_sim());
+    EXPECT_TRUE(eventually([&] { return clock_.getNumSubscribers() == 0; }));
+}
+
+// As plugin rosnode ends it: with a master that refuses connections.
+TEST_F(ClockTopicTest, TheNodeEndsWhileTheMasterIsStopped) {
+    beNode(false);
+    ros::param::set("/use_sim_time", true);
+    enable();
+    master.send(SIGSTOP);
+    usleep(100000);
+    const auto begin = std::chrono::steady_clock::now();
+    EXPECT_TRUE(disable_sim());
+    ros::master::init({{"__master", "http://127.0.0.1:1/"}});
+    ros::shutdown();
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(6));
+    master.send(SIGCONT);
 }
 
 }  // namespace
