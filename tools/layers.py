@@ -133,7 +133,7 @@ MAY_INCLUDE = {
     "plan": {"diag", "model", "view", "render", "emit", "banner", "collect"},
     "messages": {"diag", "model", "render", "emit", "banner", "plan"},
     "typegen_ros": {"diag", "explain", "report", "render", "emit", "messages"},
-    "typegen": GENERATOR | {"files", "collect", "plan"},
+    "typegen": GENERATOR | {"files", "collect", "plan", "messages"},
     # Text that ends up in the user's package: installed headers only.
     "templates": API | {"umbrella", "plugin", "typekit", "extras", "marsh", "loader", "scripting", "ocl", "ros"},
 }

@@ -88,6 +88,7 @@ Json toJson(const Struct& type) {
     if (!type.assignable) json["assignable"] = false;
     addText(json, "make", type.make);
     addText(json, "doc", type.doc);
+    addText(json, "message", type.message);
     json["where"] = place(type.where);
     json["fields"] = Json::array();
     for (const Field& field : type.fields) json["fields"].push_back(toJson(field));

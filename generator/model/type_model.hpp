@@ -96,6 +96,7 @@ struct Struct {
     std::string initial;     ///< C++ of a first value, from an adapter; empty: `T()`
     std::vector<Constructor> constructors;
     std::string doc;
+    std::string message = {};   ///< from "@ros geometry_msgs/Pose" in the comment
     std::vector<Field> fields;  ///< fields of base classes first
     Homes homes;
     Proof proof;            ///< no condition: `size`, `align` and offsets are compared
@@ -156,14 +157,23 @@ struct Header {
     std::vector<std::string> more = {};    ///< names of further #include lines: one header stands for all of them
 };
 
+/// A type whose encoded values are messages of ROS.
+struct Message {
+    std::string type;        ///< in the type registry
+    std::string name;        ///< "geometry_msgs/Pose"
+    std::string md5;         ///< 32 hexadecimal digits
+    std::string definition;  ///< text of the .msg file, followed by those of the messages in it
+};
+
 struct TypeModel {
     std::vector<Header> headers;
     std::vector<Struct> structs;
     std::vector<Enum> enums;
     std::vector<Adapted> adapted;
     std::vector<Alias> aliases;
-    std::vector<TypeUse> library;    ///< each type of the standard library in a field, and its parts
-    std::vector<TypeUse> arrays;     ///< the element type of each array
+    std::vector<TypeUse> library;  ///< each type of the standard library in a field, and its parts
+    std::vector<TypeUse> arrays;   ///< the element type of each array
+    std::vector<Message> messages;
     std::vector<diag::Note> notes;   ///< details for --verbose
     std::vector<std::string> files;  ///< every file that was read, for depfiles
 };

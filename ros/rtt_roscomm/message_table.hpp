@@ -45,6 +45,10 @@ private:
     const std::size_t count_;
 };
 
+/** Gives the transport of topics to all types that typekits announce as messages (rtt/types/MessageNames.hpp), now and
+    later. Loading the plugin rostopic calls this. Thread-safe; calls after the first do nothing. */
+void serveAnnouncedMessages();
+
 /** Makes the services of one message package known to rosservice_registry. A generated plugin rtt_<package>_rosservice_proxies
     calls this when it is loaded. The table must live as long as the process. Thread-safe. */
 void addServices(const ServiceEntry* first, std::size_t count);

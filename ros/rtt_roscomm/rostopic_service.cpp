@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Operations of the global services `ros` and `ros.comm`, by which scripts make policies of topics.
+// Operations of the global services `ros` and `ros.comm`, by which scripts make policies of topics, and the transport of
+// types that are messages without a package of their own.
 #include <rtt/internal/GlobalService.hpp>
 #include <rtt/plugin/Plugin.hpp>
 #include <rtt_roscomm/detail/open_topics.hpp>
+#include <rtt_roscomm/message_table.hpp>
 #include <rtt_roscomm/rostopic.h>
 
 #include <string>
@@ -45,6 +47,7 @@ std::string streams() {
 ORO_PLUGIN_C_LINKAGE_BEGIN_
 RTT_EXPORT bool loadRTTPlugin(RTT::TaskContext* component) {
     if (component) return false;
+    serveAnnouncedMessages();
     const RTT::Service::shared_ptr ros = RTT::internal::GlobalService::Instance()->provides("ros");
     const RTT::Service::shared_ptr comm = ros->provides("comm");
     addPolicies(*ros);

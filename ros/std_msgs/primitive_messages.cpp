@@ -8,7 +8,13 @@ namespace {
 
 using rtt_roscomm::MessageEntry;
 
-constexpr MessageEntry plain[] = {
+#define ORO_RULE "================================================================================\n"
+#define ORO_LAYOUT                                                        \
+    ORO_RULE                                                              \
+    "MSG: std_msgs/MultiArrayLayout\nMultiArrayDimension[] dim\nuint32 data_offset\n" \
+    ORO_RULE "MSG: std_msgs/MultiArrayDimension\nstring label\nuint32 size\nuint32 stride\n"
+
+constexpr MessageEntry all[] = {
     {"bool", "std_msgs/Bool", "8b94c1b53db61fb6aed406028ad6332a", "bool data\n"},
     {"int8", "std_msgs/Int8", "27ffa0c9c4b8fb8492252bcad9e5c57b", "int8 data\n"},
     {"uint8", "std_msgs/UInt8", "7c8164229e7d2c17eb95e9231617fdee", "uint8 data\n"},
@@ -23,15 +29,6 @@ constexpr MessageEntry plain[] = {
     {"string", "std_msgs/String", "992ce8a1687cec8c8bd883ec73ca41d1", "string data\n"},
     {"time", "std_msgs/Time", "cd7166c74c552c311fbcc2fe5a7bc289", "time data\n"},
     {"duration", "std_msgs/Duration", "3e286caf4241d664e55f3ad380e2ae46", "duration data\n"},
-};
-
-#define ORO_RULE "================================================================================\n"
-#define ORO_LAYOUT                                                        \
-    ORO_RULE                                                              \
-    "MSG: std_msgs/MultiArrayLayout\nMultiArrayDimension[] dim\nuint32 data_offset\n" \
-    ORO_RULE "MSG: std_msgs/MultiArrayDimension\nstring label\nuint32 size\nuint32 stride\n"
-
-constexpr MessageEntry adapted[] = {
     {"rt_string", "std_msgs/String", "992ce8a1687cec8c8bd883ec73ca41d1", "string data\n"},
     {"int8[]", "std_msgs/Int8MultiArray", "d7c1af35a1b4781bbe79e03dd94b7c13",
      "MultiArrayLayout layout\nint8[] data\n" ORO_LAYOUT},
@@ -57,7 +54,6 @@ constexpr MessageEntry adapted[] = {
 
 }  // namespace
 
-MessageTable plainMessages() { return {plain, sizeof plain / sizeof plain[0]}; }
-MessageTable adaptedMessages() { return {adapted, sizeof adapted / sizeof adapted[0]}; }
+MessageTable primitiveMessages() { return {all, sizeof all / sizeof all[0]}; }
 
 }  // namespace std_msgs

@@ -12,12 +12,9 @@ struct MessageTable {
     std::size_t count;
 };
 
-/** Numbers, bool, string and times: their bytes are those of the message std_msgs/Bool and so on. */
-MessageTable plainMessages();
-
-/** Types that are not encoded as their messages: vectors of numbers travel as …MultiArray, which has a layout in front of
-    the elements; rt_string is a string. */
-MessageTable adaptedMessages();
+/** Numbers, bool, texts and times, whose bytes are those of std_msgs/Bool and so on, and vectors of numbers, which are
+    …MultiArray. */
+MessageTable primitiveMessages();
 
 }  // namespace std_msgs
 

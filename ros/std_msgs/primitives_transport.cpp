@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Topics of plain types: a port of double is one of std_msgs/Float64.
+// Topics of plain types: a port of double is one of std_msgs/Float64, of std::vector<double> one of Float64MultiArray.
 #include "primitive_messages.hpp"
 
 namespace std_msgs {
@@ -9,7 +9,7 @@ namespace {
 
 class PrimitivesTransport : public rtt_roscomm::MessageTransport {
 public:
-    PrimitivesTransport() : MessageTransport("primitives", plainMessages().first, plainMessages().count) {}
+    PrimitivesTransport() : MessageTransport("primitives", primitiveMessages().first, primitiveMessages().count) {}
 };
 
 }  // namespace

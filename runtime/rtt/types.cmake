@@ -14,6 +14,7 @@ target_sources(orocos-rtt PRIVATE
   rtt/internal/values/property_update.cpp
   rtt/types/ErasedFunction.cpp
   rtt/types/GlobalsRepository.cpp
+  rtt/types/MessageNames.cpp
   rtt/types/Operators.cpp
   rtt/types/PropertyComposition.cpp
   rtt/types/Schema.cpp

@@ -70,11 +70,14 @@ RunRecord::RunRecord(const Options& options, const cxx::ParseRequest& request) :
     for (const std::string& name : outputNames(options.name, request.headers))
         outputs_.push_back((fs::path(output) / name).string());
 
-    const char* resources = std::getenv("TYPEGEN_RESOURCE_DIR");
-    for (const std::string& word :
-         {std::string(OROFORGE_VERSION), stateOf("/proc/self/exe").text, here.string(), output, options.name,
-          request.target, std::string(resources != nullptr ? resources : "")})
+    for (const std::string& word : {std::string(OROFORGE_VERSION), stateOf("/proc/self/exe").text, here.string(),
+                                    output, options.name, request.target})
         add(request_, word);
+    // The last two say where messages of ROS are looked for.
+    for (const char* variable : {"TYPEGEN_RESOURCE_DIR", "ROS_PACKAGE_PATH", "CMAKE_PREFIX_PATH"}) {
+        const char* const value = std::getenv(variable);
+        add(request_, value != nullptr ? value : "");
+    }
     for (const std::string& flag : request.flags) add(request_, flag);
     for (const std::string& file : options.adapters) add(request_, file);
     for (const model::Header& header : request.headers) {

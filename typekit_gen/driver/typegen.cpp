@@ -20,6 +20,7 @@
 #include <emit/outputs.hpp>
 #include <flags/compile_database.hpp>
 #include <flags/flags_file.hpp>
+#include <messages/match_messages.hpp>
 #include <plan/sources.hpp>
 #include <plan/typekit_files.hpp>
 #include <plan/typekit_view.hpp>
@@ -85,6 +86,7 @@ std::optional<model::TypeModel> readModel(const Options& options, const cxx::Par
     auto model = cxx::readTypes(request, sink);
     if (model) model->files.insert(model->files.end(), options.adapters.begin(), options.adapters.end());
     if (model) closeModel(*model, sink);
+    if (model) messages::matchMessages(*model, sink);
     if (sink.hadErrors()) return std::nullopt;
     return model;
 }

@@ -53,24 +53,13 @@ json front(const std::string& source, const std::string& header) {
     return view;
 }
 
-/// One literal a line, so that differences between versions are easy to see.
-std::string literalOf(const std::string& text) {
-    std::string result;
-    for (std::size_t begin = 0; begin < text.size();) {
-        const std::size_t end = std::min(text.find('\n', begin), text.size() - 1) + 1;
-        result += (result.empty() ? "" : "\n") + std::string("      ") + cppString(text.substr(begin, end - begin));
-        begin = end;
-    }
-    return result.empty() ? "      \"\"" : result;
-}
-
 json tableOf(const std::vector<const Message*>& messages, const MessageSet& set) {
     json table = json::array();
     for (const Message* one : messages)
         table.push_back({{"type", cppString("/" + one->fullName())},
                          {"name", cppString(one->fullName())},
                          {"md5", cppString(md5Of(*one, set))},
-                         {"definition", literalOf(definitionOf(*one, set))}});
+                         {"definition", typekit::cppLines(definitionOf(*one, set))}});
     return table;
 }
 

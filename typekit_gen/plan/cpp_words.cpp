@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include <plan/cpp_words.hpp>
 
+#include <algorithm>
 #include <cctype>
 
 namespace oroforge::typekit {
@@ -23,6 +24,16 @@ std::string cppString(const std::string& text) {
         }
     }
     return result + "\"";
+}
+
+std::string cppLines(const std::string& text) {
+    std::string result;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size() - 1) + 1;
+        result += (result.empty() ? "" : "\n") + std::string("      ") + cppString(text.substr(begin, end - begin));
+        begin = end;
+    }
+    return result.empty() ? "      \"\"" : result;
 }
 
 std::string cppLetters(const std::string& text) {

@@ -13,6 +13,9 @@ namespace oroforge::typekit {
 /// Returns a string literal with its quotes.
 std::string cppString(const std::string& text);
 
+/// Returns string literals, one for each line of the text and in a line of its own.
+std::string cppLines(const std::string& text);
+
 /// Replaces every character but letters, digits and underscores by an underscore.
 std::string cppLetters(const std::string& text);
 

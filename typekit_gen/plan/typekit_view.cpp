@@ -277,6 +277,12 @@ json makeView(const model::TypeModel& model, const std::string& typekit, const s
                  {"schemas", schemas},
                  {"sources", contents.views}};
     addFront(view, model, allOf(model, contents), "the headers of " + typekit, tool);
+    for (const model::Message& one : model.messages)
+        view["messages"].push_back({{"type", cppString(one.type)},
+                                    {"name", cppString(one.name)},
+                                    {"md5", cppString(one.md5)},
+                                    {"definition", cppLines(one.definition)}});
+    if (!model.messages.empty()) view["hasMessages"] = true;
     return view;
 }
 

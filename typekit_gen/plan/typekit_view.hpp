@@ -13,7 +13,8 @@
 namespace oroforge::typekit {
 
 /// Keys: name, identifier, guard, banner, versionGuard, includes[], externs[], sources[] with word,
-/// structs[], enums[], library[], arrays[], instances[], headers[]. Texts for C++ are quoted already.
+/// structs[], enums[], library[], arrays[], instances[], headers[]; where types are messages of ROS also hasMessages,
+/// and messages[] with type, name, md5, definition. Texts for C++ are quoted already.
 /// `tool` is the name of the generator in the files.
 nlohmann::json makeView(const model::TypeModel& model, const std::string& typekit, const std::string& tool = "typegen");
 

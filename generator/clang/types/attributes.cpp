@@ -16,6 +16,7 @@ void set(DocComment& doc, llvm::StringRef name, const std::string& value) {
     if (name == "doc") doc.text = value;
     if (name == "capacity") doc.capacity = value;
     if (name == "make") doc.make = value;
+    if (name == "ros") doc.ros = value.empty() ? " " : value;
     if (name == "skip") doc.skip = true;
     if (name == "text") doc.asText = true;
     if (name == "bytes") doc.bytes = true;

@@ -158,6 +158,7 @@ void FieldCollector::addField(const clang::FieldDecl& field, std::uint64_t bits)
     }
     doc_ = types_.docOf(field);
     if (doc_.skip) return;
+    types_.refuseMessage(doc_, field.getLocation(), subjectOf(field));
     if (field.isAnonymousStructOrUnion()) {
         const clang::CXXRecordDecl& inner = *field.getType()->getAsCXXRecordDecl();
         return inner.isUnion() ? reject(field, Reason::Union) : addRecord(inner, bits / 8);

@@ -25,7 +25,12 @@ bool AdaptedDescriber::describe(model::TypeModel& into) {
         result.name = name->registry;
         result.size = layout.getSize().getQuantity();
         result.align = layout.getAlignment().getQuantity();
-        result.doc = adapter_.doc.empty() ? types_.docOf(type_).text : adapter_.doc;
+        const DocComment doc = types_.docOf(type_);
+        result.doc = adapter_.doc.empty() ? doc.text : adapter_.doc;
+        if constexpr (std::is_same_v<decltype(result), model::Struct>)
+            result.message = doc.ros;
+        else
+            types_.refuseMessage(doc, type_.getLocation(), "class '" + shownName(type_) + "'");
         result.where = types_.locate(type_.getLocation());
         result.homes = types_.homesOf(type_);
         list.push_back(result);

@@ -62,6 +62,12 @@ void TypeDescriber::checkName(const clang::NamedDecl& declaration, const std::st
         .hint("rename it: a macro of that name would change the header");
 }
 
+void TypeDescriber::refuseMessage(const DocComment& doc, clang::SourceLocation at, const std::string& subject) {
+    if (doc.ros.empty()) return;
+    sink_.error(locate(at), "TK080", subject + " cannot be a message of ROS, as '@ros' in its comment says")
+        .hint("'@ros' belongs into the comment of a struct");
+}
+
 bool TypeDescriber::isOwn(const clang::TagDecl& type) const {
     return !llvm::isa<clang::ClassTemplateSpecializationDecl>(type) &&
            places_.isListed(sema_.getSourceManager(), type.getLocation());
@@ -92,6 +98,7 @@ const TypeFate& TypeDescriber::describe(const clang::CXXRecordDecl& type) {
     model::Struct result;
     result.assignable = nature.assignable;
     result.make = doc.make;
+    result.message = doc.ros;
     if (!doc.make.empty()) result.space = namespaceOf(definition);
     const auto name = nameOf(definition);
     const clang::ASTRecordLayout& layout = context().getASTRecordLayout(&definition);
@@ -133,7 +140,9 @@ const TypeFate& TypeDescriber::describe(const clang::EnumDecl& type) {
     result.name = name->registry;
     result.underlying = shownName(definition.getIntegerType().getCanonicalType(), context());
     result.size = context().getTypeSizeInChars(definition.getIntegerType()).getQuantity();
-    result.doc = docOf(definition).text;
+    const DocComment doc = docOf(definition);
+    refuseMessage(doc, definition.getLocation(), "enum '" + shownName(definition) + "'");
+    result.doc = doc.text;
     result.where = locate(definition.getLocation());
     result.homes = needs_.homesOf(definition);
     for (const clang::EnumConstantDecl* value : definition.enumerators()) {

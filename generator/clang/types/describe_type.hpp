@@ -58,6 +58,9 @@ public:
     /// Returns the contents of comments and attributes.
     DocComment docOf(const clang::Decl& declaration) const;
 
+    /// Reports a tag @ros of what is no struct.
+    void refuseMessage(const DocComment& doc, clang::SourceLocation at, const std::string& subject);
+
     /// Returns the headers that the type needs.
     model::Homes homesOf(const clang::TagDecl& type) const { return needs_.homesOf(type); }
 

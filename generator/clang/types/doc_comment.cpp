@@ -58,6 +58,11 @@ bool takeCommands(std::string& line, DocComment& doc) {
         if (!takeFlag(line, word)) continue;
         doc.*flag = any = true;
     }
+    if (findCommand(line, "ros") != std::string::npos) {
+        doc.ros = takeRest(line, "ros");
+        if (doc.ros.empty()) doc.ros = " ";
+        any = true;
+    }
     const std::pair<const char*, std::string DocComment::*> values[] = {{"range", &DocComment::range},
                                                                         {"unit", &DocComment::unit},
                                                                         {"capacity", &DocComment::capacity},

@@ -16,6 +16,7 @@ struct DocComment {
     std::string range;     ///< text after "@range"
     std::string capacity;  ///< text after "@capacity": number of elements that it has room for
     std::string make;      ///< text after "@make": C++ that makes a value of the type
+    std::string ros;       ///< text after "@ros": the message of ROS that the type is; " " if there is none
     bool skip = false;     ///< "@skip": do not describe it
     bool asText = false;   ///< "@text": show an array of characters as a string
     bool bytes = false;    ///< "@bytes": show a union as its bytes

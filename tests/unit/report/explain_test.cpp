@@ -55,7 +55,7 @@ TEST(Explanations, AreThereForEveryCodeAndForNoOther) {
                     {"generator/adapters", "generator/check", "generator/clang", "generator/driver", "generator/emit",
                      "generator/flags", "generator/manifest", "generator/merge", "generator/model", "generator/render",
                      "generator/view", "typekit_gen"},
-                    "TK|EMIT|OM|OC");
+                    "TK|EMIT|OM|OC|RM");
 }
 
 TEST_P(Explained, ByATitleAndAParagraph) { expectReadable(*explain::explanations().of(GetParam())); }
