@@ -9,7 +9,7 @@
 # All of them make the target <name>. Headers are included as <package/file.h>.
 #
 #   oroforge_ros_package(<package> DESCRIPTION <text>
-#     [DEPENDS <package>…]     of this family: import and find_package() of the package need them, too
+#     [DEPENDS <package>…]     of this family, made before: find_package() of the package finds them, too
 #     [SYSTEM <package>…]      of ROS: users compile with their headers and link to their libraries
 #     [MODULES <name>…]        of pkg-config, which users need besides: those of libraries that are not of ROS
 #     [LIBRARIES <name>…]      what users link
@@ -21,7 +21,7 @@ include_guard(GLOBAL)
 
 set(OROFORGE_ROS_DIR ${CMAKE_CURRENT_LIST_DIR})
 
-function(_oroforge_ros_target package name folder)
+function(_oroforge_ros_target name folder)
   target_include_directories(${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/ros> $<INSTALL_INTERFACE:include/orocos>)
   target_link_libraries(${name} PUBLIC orocos-rtt PkgConfig::ROSCPP)
@@ -40,23 +40,23 @@ endfunction()
 
 function(oroforge_ros_library package name)
   add_library(${name} SHARED ${ARGN})
-  _oroforge_ros_target(${package} ${name} lib)
+  _oroforge_ros_target(${name} lib)
 endfunction()
 
 function(oroforge_ros_components package name)
   add_library(${name} SHARED ${ARGN})
   target_compile_definitions(${name} PRIVATE RTT_COMPONENT)
-  _oroforge_ros_target(${package} ${name} ${OROFORGE_PLUGIN_DIR}/${package})
+  _oroforge_ros_target(${name} ${OROFORGE_PLUGIN_DIR}/${package})
 endfunction()
 
 function(oroforge_ros_plugin package name)
   add_library(${name} MODULE ${ARGN})
-  _oroforge_ros_target(${package} ${name} ${OROFORGE_PLUGIN_DIR}/${package}/plugins)
+  _oroforge_ros_target(${name} ${OROFORGE_PLUGIN_DIR}/${package}/plugins)
 endfunction()
 
 function(oroforge_ros_typekit package name)
   add_library(${name} SHARED ${ARGN})
-  _oroforge_ros_target(${package} ${name} ${OROFORGE_PLUGIN_DIR}/${package}/types)
+  _oroforge_ros_target(${name} ${OROFORGE_PLUGIN_DIR}/${package}/types)
 endfunction()
 
 function(oroforge_ros_package package)
@@ -64,6 +64,14 @@ function(oroforge_ros_package package)
   if(arg_UNPARSED_ARGUMENTS OR NOT arg_DESCRIPTION)
     message(FATAL_ERROR "oroforge_ros_package(${package}): no DESCRIPTION, or unknown arguments: ${arg_UNPARSED_ARGUMENTS}")
   endif()
+  get_property(all GLOBAL PROPERTY OROFORGE_ROS_PACKAGES)
+  foreach(name ${arg_DEPENDS})
+    if(NOT name IN_LIST all)
+      message(FATAL_ERROR "oroforge_ros_package(${package}): ${name}, on which it depends, was left out or comes later; "
+        "leave ${package} out as well, or let ${name} be made before")
+    endif()
+  endforeach()
+  set_property(GLOBAL APPEND PROPERTY OROFORGE_ROS_PACKAGES ${package})
   set(made ${PROJECT_BINARY_DIR}/share/${package})
   set(depends "")
   foreach(name ${arg_DEPENDS} ${arg_SYSTEM})
@@ -74,6 +82,7 @@ function(oroforge_ros_package package)
     string(APPEND imports "      <plugin_depend>${name}</plugin_depend>\n")
   endforeach()
   set(libs "")
+  set(files "")
   foreach(name ${arg_LIBRARIES})
     get_target_property(folder ${name} LIBRARY_OUTPUT_DIRECTORY)
     file(RELATIVE_PATH folder ${PROJECT_BINARY_DIR} ${folder})

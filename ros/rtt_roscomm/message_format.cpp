@@ -2,11 +2,11 @@
 // Copyright Oroforge contributors
 #include <rtt_roscomm/message_format.hpp>
 
-#include <rtt/base/DataSourceBase.hpp>
 #include <rtt/encoding/Plan.hpp>
 #include <rtt/types/Shape.hpp>
 #include <rtt/types/TypeInfo.hpp>
 #include <rtt/types/TypeInfoRepository.hpp>
+#include <rtt_roscomm/detail/empty_struct.hpp>
 #include <rtt_roscomm/message_table.hpp>
 
 #include <cstdint>
@@ -118,9 +118,7 @@ std::shared_ptr<const MessageFormat> newMessageFormat(const RTT::types::TypeInfo
     if (!plan) return nullptr;
     const Shape shape = type.shape();
     if (shape.kind == Shape::Kind::Sequence) return std::make_shared<RowFormat>(std::move(plan), entry);
-    const RTT::base::DataSourceBase::shared_ptr first = type.buildValue();
-    const bool isEmpty = first && plan->sizeOf(first->getRawConstPointer()) == 0;
-    return std::make_shared<ShapeFormat>(std::move(plan), entry, isEmpty, beginsWithHeader(shape));
+    return std::make_shared<ShapeFormat>(std::move(plan), entry, detail::isEmptyStruct(type), beginsWithHeader(shape));
 }
 
 }  // namespace rtt_roscomm

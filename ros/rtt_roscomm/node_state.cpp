@@ -96,6 +96,9 @@ void endWithMasterLater(std::function<void()> work) {
     doWithin(nowOrWhenThere(std::move(work)), std::chrono::milliseconds(0));
 }
 
+void keepService(const std::string& name) { detail::MasterWatch::instance().addService(name); }
+void dropService(const std::string& name) { detail::MasterWatch::instance().removeService(name); }
+
 bool isDone(const std::function<void()>& work, std::string& why) {
     try {
         work();

@@ -24,6 +24,10 @@ void endWithMaster(std::function<void()> work);
 /** The same without waiting, for a callback that roscpp executes: it waits for the callback. */
 void endWithMasterLater(std::function<void()> work);
 
+/** A master that was started anew is told of this service, by its resolved name, until it is dropped. */
+void keepService(const std::string& name);
+void dropService(const std::string& name);
+
 /** Executes `work`. False, with the text of what it throws in `why`. */
 bool isDone(const std::function<void()>& work, std::string& why);
 

@@ -23,6 +23,7 @@
 
 #include <functional>
 #include <stdexcept>
+#include <string>
 #include <type_traits>
 #include <utility>
 
@@ -72,6 +73,9 @@ public:
     void decode(const std::uint8_t* from, std::size_t size, void* value) const override {
         ros::serialization::IStream stream(const_cast<std::uint8_t*>(from), static_cast<std::uint32_t>(size));
         ros::serialization::deserialize(stream, *static_cast<T*>(value));
+        if (stream.getLength() != 0)
+            throw std::runtime_error("the bytes are no " + typeName() + ": " + std::to_string(stream.getLength()) +
+                                     " of " + std::to_string(size) + " are left over");
     }
 };
 
@@ -80,7 +84,8 @@ template <class SRV>
 class FunctionAnswer final : public ServiceAnswer {
 public:
     typedef std::function<bool(typename SRV::Request&, typename SRV::Response&)> Function;
-    FunctionAnswer(const std::string& what, Function function) : ServiceAnswer(what), function_(std::move(function)) {}
+    FunctionAnswer(const std::string& what, const RTT::OperationInterfacePart& operation, Function function)
+        : ServiceAnswer(what, operation), function_(std::move(function)) {}
 
 private:
     ros::SerializedMessage answer(const std::uint8_t* request, std::size_t size) override {
@@ -116,7 +121,7 @@ public:
         ProxyFunction function = bound<0>(*operation, wanted);
         if (!function) return refuse(serviceTypeOf<SRV>(), owner, *operation, wanted);
         return advertise(serviceTypeOf<SRV>(), boost::shared_ptr<ServiceAnswer>(new FunctionAnswer<SRV>(
-                                                   describe(owner, *operation), std::move(function))));
+                                                   describe(owner, *operation), *operation, std::move(function))));
     }
 
 private:

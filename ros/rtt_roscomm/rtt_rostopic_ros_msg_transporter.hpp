@@ -114,7 +114,9 @@ public:
     bool inputReady() override {
         if (!channel_) return false;
         if (!Base::getInput()) (void)channel_->connectTo(this);
-        return channel_->inputReady();
+        if (channel_->inputReady()) return true;
+        (void)channel_->disconnect(nullptr, false);  // Else the two would keep each other.
+        return false;
     }
     bool isRemoteElement() const override { return true; }
     std::string getRemoteURI() const override { return channel_ ? channel_->getRemoteURI() : std::string(); }

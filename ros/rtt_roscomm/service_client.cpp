@@ -3,6 +3,7 @@
 #include <rtt_roscomm/service_client.hpp>
 
 #include <rtt/Logger.hpp>
+#include <rtt_roscomm/detail/normal_thread.hpp>
 #include <rtt_roscomm/node_state.hpp>
 
 #include <ros/connection.h>
@@ -10,22 +11,14 @@
 #include <ros/service_manager.h>
 #include <ros/service_server_link.h>
 
-#include <chrono>
+#include <algorithm>
+#include <system_error>
 #include <thread>
 #include <utility>
-
-#include <pthread.h>
 
 namespace rtt_roscomm {
 
 namespace {
-
-/** What creates the thread may be a real-time thread. */
-void becomeNormalThread() {
-    const sched_param normal{};
-    pthread_setschedparam(pthread_self(), SCHED_OTHER, &normal);
-    pthread_setname_np(pthread_self(), "rosservice");
-}
 
 /** A link learns a moment later that its connection was lost. */
 bool isAlive(ros::ServiceServerLink& link) { return link.isValid() && !link.getConnection()->isDropped(); }
@@ -86,28 +79,35 @@ ServiceConnection::Link ServiceConnection::connected(std::string& why) {
     return link_ = made;
 }
 
-bool ServiceConnection::callNow(const ros::SerializedMessage& request, ros::SerializedMessage& response) {
+bool ServiceConnection::callNow(const ros::SerializedMessage& request, ros::SerializedMessage& response,
+                                const SentRequest* sent) {
     std::string why;
-    try {
+    bool isAnswered = false, isGivenUp = false;
+    const auto execute = [&] {
         const Link link = connected(why);
-        if (link && link->call(request, response)) {
+        if (!link) return;
+        {
             const std::lock_guard<std::mutex> lock(mutex_);
-            is_failing_ = false;
-            return true;
+            isGivenUp = sent && current_ != sent;
         }
-        if (link)
+        if (isGivenUp) return;
+        isAnswered = link->call(request, response);
+        if (!isAnswered)
             why = isAlive(*link)
                       ? "the server refused the call, with the text that roscpp wrote above"
                       : "the connection was lost during the call, or the server has another version of the type";
-    } catch (const std::exception& error) {
-        why = error.what();
+    };
+    if (isDone(execute, why) && isAnswered) {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        is_failing_ = false;
+        return true;
     }
-    failed(why);
+    if (!isGivenUp) failed(why);
     return false;
 }
 
 bool ServiceConnection::call(const ros::SerializedMessage& request, ros::SerializedMessage& response) {
-    if (timeout_ == 0) return callNow(request, response);
+    if (timeout_ == 0) return callNow(request, response, nullptr);
     const std::shared_ptr<SentRequest> sent = send(request);
     if (!sent || !finish(*sent, true)) return false;
     response = sent->response;
@@ -117,34 +117,36 @@ bool ServiceConnection::call(const ros::SerializedMessage& request, ros::Seriali
 std::shared_ptr<SentRequest> ServiceConnection::send(const ros::SerializedMessage& request) {
     const auto sent = std::make_shared<SentRequest>();
     sent->request = request;
-    const std::lock_guard<std::mutex> lock(mutex_);
+    std::unique_lock<std::mutex> lock(mutex_);
     if (is_closed_) return nullptr;
     sent_.push_back(sent);
-    if (!is_working_) {
-        std::thread([kept = shared_from_this()] { kept->work(); }).detach();
+    try {
+        if (!is_working_) std::thread([kept = shared_from_this()] { kept->work(); }).detach();
         is_working_ = true;
+    } catch (const std::system_error& error) {
+        sent_.pop_back();
+        lock.unlock();
+        failed(std::string("there is no thread to be had for the call: ") + error.what());
+        return nullptr;
     }
     changed_.notify_all();
     return sent;
 }
 
 void ServiceConnection::work() {
-    becomeNormalThread();
+    detail::becomeNormalThread("rosservice");
     std::unique_lock<std::mutex> lock(mutex_);
     while (true) {
         changed_.wait(lock, [this] { return is_closed_ || !sent_.empty(); });
         if (is_closed_) break;
         const std::shared_ptr<SentRequest> sent = std::move(sent_.front());
         sent_.pop_front();
+        current_ = sent.get();
+        begun_ = Clock::now();
         lock.unlock();
-        bool isWaited;
+        ros::SerializedMessage response;
+        const bool isAnswered = callNow(sent->request, response, sent.get());
         {
-            const std::lock_guard<std::mutex> own(sent->mutex);
-            isWaited = !sent->isDone;
-        }
-        if (isWaited) {
-            ros::SerializedMessage response;
-            const bool isAnswered = callNow(sent->request, response);
             const std::lock_guard<std::mutex> own(sent->mutex);
             if (!sent->isDone) {
                 sent->response = response;
@@ -154,6 +156,7 @@ void ServiceConnection::work() {
             }
         }
         lock.lock();
+        current_ = nullptr;
     }
     is_working_ = false;
     changed_.notify_all();
@@ -171,13 +174,20 @@ bool ServiceConnection::finish(SentRequest& sent, bool wait) {
     sent.isDone = true;
     lock.unlock();
     failed("no response within " + std::to_string(timeout_) + " s");
-    Link late;
-    {
-        const std::lock_guard<std::mutex> own(mutex_);
-        late = link_;
-    }
-    drop(late);
+    giveUp(sent);
     return true;
+}
+
+void ServiceConnection::giveUp(const SentRequest& sent) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto isIt = [&](const std::shared_ptr<SentRequest>& one) { return one.get() == &sent; };
+    sent_.erase(std::remove_if(sent_.begin(), sent_.end(), isIt), sent_.end());
+    if (!current_) return;
+    // A call whose handle nobody collects must not stop all others for ever.
+    const bool isOver = Clock::now() - begun_ >= std::chrono::duration<double>(timeout_);
+    if (current_ != &sent && !isOver) return;
+    current_ = nullptr;
+    drop(link_);  // with the lock, because the next call may use the same connection
 }
 
 void ServiceConnection::close() {

@@ -9,6 +9,7 @@
 #include <ros/forwards.h>
 #include <ros/serialized_message.h>
 
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <memory>
@@ -48,9 +49,10 @@ public:
 
     bool isOpen() const;
     /** Blocks until the response is there, or the connection is lost or closed, or the time is over: then the connection
-        is closed and the next call opens it again. False, with an error logged, without a response. */
+        is closed and the next call opens it again, unless another call uses it within its own time. False, with an error logged, without a response. */
     bool call(const ros::SerializedMessage& request, ros::SerializedMessage& response);
-    /** Does not wait. The first one starts a thread. Null if it is closed. */
+    /** Does not wait. The first one starts a thread. Null if it is closed, or, with an error logged, if there is no
+        thread to be had. */
     std::shared_ptr<SentRequest> send(const ros::SerializedMessage& request);
     /** Waits, for the time-out at most, if `wait`. True if it is done. */
     bool finish(SentRequest& sent, bool wait);
@@ -63,7 +65,10 @@ public:
 
 private:
     typedef boost::shared_ptr<ros::ServiceServerLink> Link;
-    bool callNow(const ros::SerializedMessage& request, ros::SerializedMessage& response);
+    typedef std::chrono::steady_clock Clock;
+    /** `sent` is null for a call that nobody can give up. */
+    bool callNow(const ros::SerializedMessage& request, ros::SerializedMessage& response, const SentRequest* sent);
+    void giveUp(const SentRequest& sent);
     Link connected(std::string& why);
     void work();
     void drop(const Link& link);
@@ -76,7 +81,9 @@ private:
     mutable std::mutex mutex_;
     std::condition_variable changed_;
     Link link_;
-    std::deque<std::shared_ptr<SentRequest>> sent_;
+    std::deque<std::shared_ptr<SentRequest>> sent_;  // not begun
+    const SentRequest* current_ = nullptr;           // that the thread executes; null if it was given up
+    Clock::time_point begun_;                        // when that began
     bool is_closed_ = false, is_working_ = false, is_failing_ = false;
 };
 

@@ -5,6 +5,7 @@
 #include <rtt/encoding/Plan.hpp>
 #include <rtt/types/TypeOps.hpp>
 #include <rtt/types/Types.hpp>
+#include <rtt_roscomm/detail/empty_struct.hpp>
 
 #include <boost/core/demangle.hpp>
 
@@ -24,7 +25,7 @@ public:
         : info_(info),
           plan_(std::move(plan)),
           blank_(std::move(blank)),
-          is_empty_(plan_->sizeOf(blank_->getRawConstPointer()) == 0) {}
+          is_empty_(detail::isEmptyStruct(info)) {}
 
     const std::type_info& type() const override { return *info_.getTypeId(); }
     const RTT::types::TypeInfo* info() const override { return &info_; }

@@ -31,7 +31,7 @@ struct PreparedCall {
 class OperationAnswer final : public ServiceAnswer {
 public:
     OperationAnswer(const OperationInterfacePart& operation, Form form, const std::string& what)
-        : ServiceAnswer(what), operation_(OperationInterfacePart::hold(&operation)), form_(std::move(form)) {
+        : ServiceAnswer(what, operation), operation_(OperationInterfacePart::hold(&operation)), form_(std::move(form)) {
         give(std::make_unique<PreparedCall>(*operation_, *form_));
     }
 

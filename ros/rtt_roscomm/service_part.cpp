@@ -30,9 +30,19 @@ struct Service {
     Connection connection;
     Form form;
 
+    /** False, with an error logged, if the values cannot be sent. */
+    bool make(ros::SerializedMessage& request, const CallValues& values) const {
+        try {
+            request = requestOf(values);
+            return true;
+        } catch (const std::exception& error) {
+            connection->failed(error.what());
+            return false;
+        }
+    }
     ros::SerializedMessage requestOf(const CallValues& values) const {
         const std::size_t size = form->requestSize(values);
-        if (size > UINT32_MAX - 4) throw std::runtime_error(connection->who() + ": the request has more than 4 GB");
+        if (size > UINT32_MAX - 4) throw std::runtime_error("the request has more than 4 GB");
         ros::SerializedMessage message(boost::shared_array<std::uint8_t>(new std::uint8_t[size + 4]), size + 4);
         for (unsigned i = 0; i != 4; ++i) message.buf[i] = static_cast<std::uint8_t>(size >> (8 * i));
         message.message_start = message.buf.get() + 4;
@@ -72,8 +82,9 @@ public:
 
     void readArguments() override { evaluateAll(service_, values_.arguments); }
     bool execute() override {
-        ros::SerializedMessage response;
-        if (!service_.connection->call(service_.requestOf(values_), response) || !service_.take(response, values_))
+        ros::SerializedMessage request, response;
+        if (!service_.make(request, values_) || !service_.connection->call(request, response) ||
+            !service_.take(response, values_))
             service_.form->fail(values_);
         return true;
     }
@@ -114,7 +125,9 @@ public:
     SendSource(Service service, Args arguments) : service_(std::move(service)), arguments_(std::move(arguments)) {}
     Handle get() const override {
         evaluateAll(service_, arguments_);
-        return sent_ = service_.connection->send(service_.requestOf({arguments_, nullptr}));
+        ros::SerializedMessage request;
+        sent_ = service_.make(request, {arguments_, nullptr}) ? service_.connection->send(request) : nullptr;
+        return sent_;
     }
     Handle value() const override { return sent_; }
     const Handle& rvalue() const override { return sent_; }

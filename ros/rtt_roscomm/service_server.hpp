@@ -5,14 +5,16 @@
 #define RTT_ROSCOMM_SERVICE_SERVER_HPP
 
 #include <rtt/OperationInterfacePart.hpp>
+#include <rtt/base/OperationCallerInterface.hpp>
 #include <rtt_roscomm/service_form.hpp>
 
 #include <ros/service_callback_helper.h>
 #include <ros/service_server.h>
 
-#include <atomic>
+#include <condition_variable>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <string>
 
 namespace rtt_roscomm {
@@ -23,8 +25,8 @@ struct ServiceType {
     std::string md5;
 };
 
-/** The name of a service in ROS; "~x" is private to the node. False, with the reason, if this process is no node of ROS
-    now, or if the name is malformed. */
+/** The name of a service in ROS after remapping, as advertise() gives it; "~x" is private to the node. False, with the
+    reason, if this process is no node of ROS now, or if the name is malformed. */
 bool resolveService(const std::string& name, std::string& resolved, std::string& why);
 /** How a component imports a package of message types: "import rtt_std_srvs". */
 std::string importOf(const std::string& service);
@@ -32,11 +34,16 @@ std::string importOf(const std::string& service);
 /** Answers calls. answer() is called by the threads of spinners, perhaps by several at once. */
 class ServiceAnswer : public ros::ServiceCallbackHelper {
 public:
-    /** `what` is for messages: "operation 'f' of component 'c'". */
-    explicit ServiceAnswer(std::string what) : what_(std::move(what)) {}
+    /** `what` is for messages: "operation 'f' of component 'c'". The operation is the one that answer() calls. */
+    ServiceAnswer(std::string what, const RTT::OperationInterfacePart& operation);
     /** Sends a response in any case: if answer() throws, one with the text of what it threw. */
     bool call(ros::ServiceCallbackHelperCallParams& params) final;
-    void close() { is_closed_ = true; }
+    /** Refuses calls from now on. */
+    void close();
+    /** After close(): waits until no other thread executes the operation itself. Calls that wait for the component's
+        thread are not waited for, because that may be the calling one. Does not wait in a thread that answers a call:
+        two of them would wait for each other. */
+    void waitForCalls();
     const std::string& what() const { return what_; }
 
 protected:
@@ -45,8 +52,15 @@ protected:
     static ros::SerializedMessage response(bool ok, std::size_t size, const std::function<void(std::uint8_t*)>& fill);
 
 private:
+    class Call;
+    bool isExecutedHere() const { return operation_ && operation_->getThread() == RTT::ClientThread; }
+
     const std::string what_;
-    std::atomic<bool> is_closed_{false};
+    const RTT::base::OperationCallerInterface::shared_ptr operation_;  // null if it is not in this process
+    std::mutex mutex_;
+    std::condition_variable ended_;
+    unsigned calls_ = 0;  // that execute the operation
+    bool is_closed_ = false;
 };
 
 /** Calls an operation by its interface. Shares ownership of the operation. */
@@ -61,10 +75,9 @@ public:
     ServedService(const ServedService&) = delete;
     ServedService& operator=(const ServedService&) = delete;
 
-    /** Asks the master, so it blocks. False, with an error logged, if that is impossible. */
+    /** Asks the master, so it blocks. False, with an error logged, if that is impossible, or if it is advertised. */
     bool advertise(const std::string& name, const ServiceType& type, boost::shared_ptr<ServiceAnswer> answer);
-    /** Asks the master. Calls in progress fail for their callers; this does not wait for them, so the component that
-        executes them may call it. */
+    /** Asks the master. Calls in progress fail for their callers. Waits for them as ServiceAnswer::waitForCalls(). */
     void shutdown();
 
 private:

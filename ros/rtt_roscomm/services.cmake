@@ -2,8 +2,8 @@
 # Copyright Oroforge contributors
 # Services: what both plugins and generated ones use is in the library of topics.
 target_sources(rtt_rostopic PRIVATE
-  service_codec.cpp service_form.cpp service_std_srvs.cpp service_server.cpp service_operation.cpp service_client.cpp service_part.cpp
-  rosservice_proxy_base.cpp rosservice_signature.cpp rosservice_registry_service.cpp)
+  service_codec.cpp service_form.cpp service_std_srvs.cpp service_server.cpp service_operation.cpp service_client.cpp
+  service_part.cpp rosservice_proxy_base.cpp rosservice_signature.cpp rosservice_registry_service.cpp)
 
 oroforge_ros_plugin(rtt_roscomm rtt_rosservice rosservice_plugin.cpp)
 target_link_libraries(rtt_rosservice PRIVATE rtt_rostopic)

@@ -23,13 +23,19 @@ public:
     const std::string& name() const { return name_; }
 
     /**
-     * Sets the value from the parameter: from roscpp's cache, which the master keeps up to date, after the first time.
-     * That asks the master and blocks up to 5 s if it does not answer; so do all others if ros::start() was not called.
-     * False, with an error logged if it is another one
-     * than before, if the parameter is not set or cannot be converted. The value is then some valid value.
+     * Sets the value from the parameter if that is not the one from which the value is already. True if it did; the
+     * caller must then take the value, because the next call takes it as known.
+     *
+     * False if the value is left as it is, or if the parameter is not set or cannot be converted; the value is then
+     * some valid value. That is logged as an error, once until the reason changes.
+     *
+     * The first call asks the master, and blocks for up to 5 s if it does not answer. Later calls read roscpp's cache,
+     * which the master keeps up to date; of a struct, the master is asked again after a member has changed. Without
+     * ros::start() there is no cache, so each call asks the master.
      */
     bool read(void* value);
-    /** Sets the parameter, and waits for the master. False, with an error logged, if that fails. */
+    /** Sets the parameter, a struct by its members so that foreign ones stay, and waits for the master, at most 5 s for
+        each call of it. False, with an error logged, if that fails. */
     bool write(const void* value);
 
     /** From now on somebody may change the value through a reference. */
@@ -38,14 +44,12 @@ public:
     void settle(const void* value);
 
 private:
-    struct Lent;
-    bool report(const std::string& problem);
+    struct State;
+    void report(const std::string& problem);
 
     std::string name_;
     const std::type_info* type_;
-    std::unique_ptr<Lent> lent_;  // null if nobody has a reference
-    bool isCached_ = false;
-    std::string reported_;
+    std::unique_ptr<State> state_;
 };
 
 }  // namespace rtt_rosparam

@@ -6,6 +6,8 @@
 #include <rtt/internal/DataSource.hpp>
 #include <rtt_rosparam/parameter_binding.hpp>
 
+#include <map>
+#include <mutex>
 #include <string>
 #include <utility>
 
@@ -14,7 +16,10 @@ namespace rtt_rosparam {
 /**
  * A value that is a parameter: reading it reads the parameter (from a cache), assigning it sets the parameter, which
  * waits for the master. While the parameter cannot be read, there is an error in the log and the last value that could
- * be. A change through a reference sets it in updated(), or when the value is read next. Neither thread-safe nor real-time safe.
+ * be. A change through a reference sets it in updated(), or when the value is read next.
+ *
+ * Several threads may read, assign and update it; they wait for each other, also while one waits for the master. A
+ * reference, that of rvalue() as well, is for one thread while no other uses the source. Not real-time safe.
  */
 template <typename T>
 class RosParamDataSource : public RTT::internal::AssignableDataSource<T> {
@@ -30,31 +35,42 @@ public:
     explicit RosParamDataSource(const std::string& full_name) : binding_(full_name, typeid(T)), last_() {}
 
     bool evaluate() const override {
+        const Lock lock(mutex_);
         read();
         return true;
     }
     result_t get() const override {
+        const Lock lock(mutex_);
         read();
         return last_;
     }
     /** The last value that was read or set. */
-    result_t value() const override { return last_; }
+    result_t value() const override {
+        const Lock lock(mutex_);
+        return last_;
+    }
     const_reference_t rvalue() const override {
+        const Lock lock(mutex_);
         read();
         return last_;
     }
     void set(param_t value) override {
+        const Lock lock(mutex_);
         last_ = value;
         (void)binding_.write(&last_);
         if (isReferred_) binding_.lend(&last_);
     }
     reference_t set() override {
+        const Lock lock(mutex_);
         read();
         isReferred_ = true;
         binding_.lend(&last_);
         return last_;
     }
-    void updated() override { binding_.settle(&last_); }
+    void updated() override {
+        const Lock lock(mutex_);
+        binding_.settle(&last_);
+    }
 
     RosParamDataSource<T>* clone() const override { return new RosParamDataSource<T>(binding_.name()); }
     RosParamDataSource<T>* copy(
@@ -63,12 +79,15 @@ public:
     }
 
 private:
+    typedef std::lock_guard<std::mutex> Lock;
+    /** Assigns only what is new, for those who hold a reference. */
     void read() const {
         binding_.settle(&last_);
         T value(last_);
         if (binding_.read(&value)) last_ = std::move(value);
     }
 
+    mutable std::mutex mutex_;
     mutable ParameterBinding binding_;
     mutable T last_;
     bool isReferred_ = false;

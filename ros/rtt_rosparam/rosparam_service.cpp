@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 // The service `rosparam`: parameters of ROS as properties of a component.
-#include "detail/guarded.hpp"
 #include "detail/names.hpp"
 #include "detail/service_parameters.hpp"
 
 #include <rtt/Logger.hpp>
 #include <rtt/plugin/ServicePlugin.hpp>
+#include <rtt_ros/guarded.hpp>
 #include <rtt_rosparam/parameter_types.hpp>
 #include <rtt_rosparam/ros_param_data_source.hpp>
 
@@ -78,7 +78,7 @@ private:
 
     /** The name of ROS; false, with an error in the log, if there is no such policy. */
     bool makeName(unsigned policy, Name item, std::string& name) const {
-        const std::string problem = problemIn([&] { name = nameOf(component(), policy, item); });
+        const std::string problem = rtt_ros::problemIn([&] { name = nameOf(component(), policy, item); });
         if (!problem.empty()) RTT::log(RTT::Error) << "rosparam: " << problem << RTT::endlog();
         return problem.empty();
     }
@@ -163,19 +163,28 @@ private:
         RTT::base::PropertyBase* const known = getOwner() ? getOwner()->properties()->find(name) : nullptr;
         auto* const same = dynamic_cast<RTT::Property<T>*>(known);
         if (same && same->setDataSource(source)) return *same;
-        auto* const made = new RTT::Property<T>(name, "The parameter " + full + " of ROS.", source);
-        adopt(made, known);
-        return *made;
+        auto made = std::make_unique<RTT::Property<T>>(name, "The parameter " + full + " of ROS.", source);
+        if (!known && getOwner() && getOwner()->properties()->ownProperty(made.get())) return *made.release();
+        logNotAdded(*made, known);
+        for (const auto& other : others_) {
+            auto* const mine = other->getName() == name ? dynamic_cast<RTT::Property<T>*>(other.get()) : nullptr;
+            if (mine && mine->setDataSource(source)) return *mine;
+        }
+        others_.push_back(std::move(made));
+        return static_cast<RTT::Property<T>&>(*others_.back());
     }
-    void adopt(RTT::base::PropertyBase* made, const RTT::base::PropertyBase* known) {
-        if (!known && getOwner() && getOwner()->properties()->ownProperty(made)) return;
-        RTT::log(RTT::Error) << "rosparam: the component has a property '" << made->getName() << "' of type "
-                             << (known ? known->getType() : "unknown_t") << " already; one of type " << made->getType()
-                             << " is not added" << RTT::endlog();
-        others_.emplace_back(made);
+    void logNotAdded(const RTT::base::PropertyBase& made, const RTT::base::PropertyBase* known) const {
+        RTT::log(RTT::Error) << "rosparam: the property '" << made.getName() << "' of type " << made.getType()
+                             << " is not added: "
+                             << (!getOwner() ? "this service belongs to no component; load it in one"
+                                 : known     ? "the component has one of type " + known->getType() +
+                                           " already; take another name"
+                                             : "the component does not take this name; take another one")
+                             << RTT::endlog();
     }
 
-    std::vector<std::unique_ptr<RTT::base::PropertyBase>> others_;  // callers have references to them
+    // Those that were not added, because callers have references to them: one for each name and type.
+    std::vector<std::unique_ptr<RTT::base::PropertyBase>> others_;
 };
 
 }  // namespace rtt_rosparam

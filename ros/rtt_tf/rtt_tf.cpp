@@ -2,11 +2,13 @@
 // Copyright Oroforge contributors
 #include <rtt_tf/detail/tf_component.hpp>
 
-#include <ros/node_handle.h>
+#include <ros/names.h>
+#include <ros/this_node.h>
 #include <rtt/Component.hpp>
 #include <rtt/Logger.hpp>
 #include <rtt/internal/ConnectionManager.hpp>
 #include <rtt/types/TypeInfo.hpp>
+#include <rtt_ros/xml_rpc.hpp>
 #include <rtt_roscomm/node_state.hpp>
 #include <rtt_roscomm/rostopic.h>
 #include <rtt_tf/detail/frame_names.hpp>
@@ -16,6 +18,7 @@
 #include <boost/make_shared.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 namespace rtt_tf {
@@ -106,6 +109,7 @@ void RTT_TF::addOperations(RTT::Service& service) {
 }
 
 bool RTT_TF::configureHook() {
+    cleanupHook();  // it may be configured again
     std::string why;
     if (!checkProperties(why) || !checkTypes(why) || !rtt_roscomm::isNodeReady(why) || !findPrefix(why)) {
         RTT::log(RTT::Error) << getName() << ": cannot be configured: " << why << RTT::endlog();
@@ -142,17 +146,27 @@ bool RTT_TF::checkTypes(std::string& why) const {
 }
 
 bool RTT_TF::findPrefix(std::string& why) {
-    const auto search = [&] {
-        const ros::NodeHandle node("~");
-        std::string key;
-        XmlRpc::XmlRpcValue value;
-        if (!node.searchParam("tf_prefix", key) || !node.getParam(key, value)) return;
-        if (value.getType() == XmlRpc::XmlRpcValue::TypeString)
+    // roscpp's own calls have no time limit.
+    constexpr std::chrono::seconds limit(1);
+    std::string name = "tf_prefix";
+    const auto& others = ros::names::getUnresolvedRemappings();
+    if (const auto other = others.find(name); other != others.end()) name = other->second;
+    XmlRpc::XmlRpcValue request, key, value;
+    request[0] = ros::this_node::getName();  // where the search begins
+    request[1] = name;
+    if (rtt_ros::callMaster("searchParam", request, key, limit) && key.getType() == XmlRpc::XmlRpcValue::TypeString) {
+        request[1] = key;
+        if (rtt_ros::callMaster("getParam", request, value, limit)) {
+            if (value.getType() != XmlRpc::XmlRpcValue::TypeString) {
+                why = "parameter " + static_cast<std::string>(key) + " is no string; set it to a text, or delete it";
+                return false;
+            }
             prefixProperty_ = static_cast<std::string>(value);
-        else
-            why = "parameter " + key + " is no string";
-    };
-    if (!rtt_roscomm::isDone(search, why) || !why.empty()) return false;
+        }
+    }
+    // Without an answer, there is no telling whether it is set.
+    if (!value.valid() && !rtt_roscomm::isNodeReady(why)) return false;
+    const Lock lock(mutex_);
     prefix_ = detail::trimmed(prefixProperty_);
     return true;
 }
@@ -173,16 +187,18 @@ std::vector<RTT_TF::Stream> RTT_TF::streams() {
 
 // Connections that others have made stay.
 void RTT_TF::closeStreams() {
-    for (const Stream& stream : streams())
-        for (const auto& connection : stream.port->getManager()->getConnections())
-            if (connection.get<2>().transport == ORO_ROS_PROTOCOL_ID &&
-                connection.get<2>().name_id == stream.policy.name_id)
-                (void)stream.port->getManager()->removeConnection(connection.get<0>().get());
+    const std::pair<RTT::base::PortInterface*, const char*> streams[] = {
+        {&in_, "/tf"}, {&staticIn_, "/tf_static"}, {&out_, "/tf"}, {&staticOut_, "/tf_static"}};
+    for (const auto& [port, topic] : streams)
+        for (const auto& connection : port->getManager()->getConnections())
+            if (connection.get<2>().transport == ORO_ROS_PROTOCOL_ID && connection.get<2>().name_id == topic)
+                (void)port->getManager()->removeConnection(connection.get<0>().get());
 }
 
 void RTT_TF::cleanupHook() {
     closeStreams();
     transforms_->close();
+    const Lock lock(mutex_);
     allStatic_.transforms.clear();
 }
 
@@ -208,6 +224,11 @@ void RTT_TF::lookAtTime() {
     last_ = now;
 }
 
+std::string RTT_TF::prefixNow() const {
+    const Lock lock(mutex_);
+    return prefix_;
+}
+
 TFMessage RTT_TF::accepted(const std::vector<Stamped>& transforms) {
     TFMessage message;
     if (!isConfigured()) {
@@ -215,9 +236,10 @@ TFMessage RTT_TF::accepted(const std::vector<Stamped>& transforms) {
             RTT::log(RTT::Error) << getName() << ": cannot broadcast: call configure() first" << RTT::endlog();
         return message;
     }
+    const std::string prefix = prefixNow();
     for (Stamped one : transforms) {
-        one.header.frame_id = detail::prefixed(prefix_, one.header.frame_id);
-        one.child_frame_id = detail::prefixed(prefix_, one.child_frame_id);
+        one.header.frame_id = detail::prefixed(prefix, one.header.frame_id);
+        one.child_frame_id = detail::prefixed(prefix, one.child_frame_id);
         if (const detail::Refusal refusal = detail::check(one)) {
             if (refused_.isNew(one.child_frame_id, refusal.kind))
                 RTT::log(RTT::Error) << getName() << ": a transform is not broadcast: " << refusal.text << RTT::endlog();
@@ -248,7 +270,11 @@ void RTT_TF::broadcastAll(const std::vector<Stamped>& transforms) { send(out_, a
 // A topic keeps its last message for those who come later, so each message has all.
 void RTT_TF::broadcastAllStatic(const std::vector<Stamped>& transforms) {
     TFMessage fresh = accepted(transforms);
-    if (fresh.transforms.empty()) return;
+    if (!fresh.transforms.empty()) send(staticOut_, withAllStatic(std::move(fresh)));
+}
+
+TFMessage RTT_TF::withAllStatic(TFMessage fresh) {
+    const Lock lock(mutex_);
     for (Stamped& one : fresh.transforms) {
         const auto same = [&](const Stamped& other) { return other.child_frame_id == one.child_frame_id; };
         const auto old = std::find_if(allStatic_.transforms.begin(), allStatic_.transforms.end(), same);
@@ -257,7 +283,7 @@ void RTT_TF::broadcastAllStatic(const std::vector<Stamped>& transforms) {
         else
             *old = std::move(one);
     }
-    send(staticOut_, allStatic_);
+    return allStatic_;
 }
 
 bool RTT_TF::subscribe(const std::string& target, const std::string& source) {

@@ -8,11 +8,12 @@
 
 namespace rtt_roscomm::detail {
 
-/** For a new thread: what created it may be a real-time thread. The name has at most 15 letters. */
+/** For the first line of a new thread, because what creates it may be a real-time thread. The name has at most 15
+    characters. */
 inline void becomeNormalThread(const char* name) {
     const sched_param normal{};
-    pthread_setschedparam(pthread_self(), SCHED_OTHER, &normal);
-    pthread_setname_np(pthread_self(), name);
+    (void)pthread_setschedparam(pthread_self(), SCHED_OTHER, &normal);
+    (void)pthread_setname_np(pthread_self(), name);
 }
 
 }  // namespace rtt_roscomm::detail

@@ -62,7 +62,7 @@ void Filler::prepare(PropertyBase& property, const Value& from) {
     if (isBag(id->name())) {
         // The items of the bag itself: a copy of it shares those that it does not own.
         const RTT::PropertyBag& bag = *static_cast<const RTT::PropertyBag*>(source->getRawConstPointer());
-        return fillBag(id->name(), const_cast<RTT::PropertyBag&>(bag), from);
+        return prepareBag(id->name(), const_cast<RTT::PropertyBag&>(bag), from);
     }
     const std::string outer = property_;
     property_ = "property '" + property.getName() + "' of type " + Shapes::nameOf(id->name());
@@ -268,7 +268,16 @@ void Filler::fillShown(const char* type, const Shape& shape, const Value& from, 
     if (!shape.shown->take(shown.at(), to)) refuse(type, from, "there is no such value");
 }
 
+/** At once: the bag may be part of a value that does not live until commit(). */
 void Filler::fillBag(const char* type, RTT::PropertyBag& bag, const Value& from) {
+    Filler inner(path_);
+    inner.property_ = property_;
+    inner.depth_ = depth_;
+    inner.prepareBag(type, bag, from);
+    inner.commit();
+}
+
+void Filler::prepareBag(const char* type, RTT::PropertyBag& bag, const Value& from) {
     if (from.getType() != Value::TypeStruct) refuse(type, from);
     for (PropertyBase* const item : bag) {
         if (!item->ready() || !from.hasMember(item->getName())) continue;
@@ -286,10 +295,7 @@ void Filler::fillDecomposed(const char* type, const Shape& shape, const Value& f
         new RTT::internal::ValueDataSource<RTT::PropertyBag>());
     RTT::copyProperties(copies->set(), members);
     copies->set().setType(members.getType());
-    Filler inner(path_);
-    inner.property_ = property_;
-    inner.fillBag(type, copies->set(), from);
-    inner.commit();
+    fillBag(type, copies->set(), from);
     if (!info->composeType(copies, whole)) refuse(type, from, "its typekit does not take these members");
 }
 

@@ -19,7 +19,7 @@ class PropertyBag;
 
 namespace rtt_rosparam {
 
-/** Sets values from parameters. All or nothing: properties change only in commit(). */
+/** Sets values from parameters. All or nothing: a property that is prepared changes only in commit(). */
 class Filler {
 public:
     /** `name` is that of the parameter, for messages. */
@@ -30,7 +30,7 @@ public:
     /** Assigns the values that were prepared. */
     void commit();
 
-    /** Sets the value at this address, which is some valid value if Failure is thrown. */
+    /** Sets the value at this address, at once. It is some valid value if Failure is thrown. */
     void fill(const char* type, const XmlRpc::XmlRpcValue& from, void* to);
 
 private:
@@ -56,6 +56,7 @@ private:
     void fillPart(const char* type, const RTT::types::SequenceOps& ops, const Value& from, void* to, std::size_t index);
     void fillVariant(const char* type, const Shape& shape, const Value& from, void* to);
     void fillShown(const char* type, const Shape& shape, const Value& from, void* to);
+    void prepareBag(const char* type, RTT::PropertyBag& bag, const Value& from);
     void fillBag(const char* type, RTT::PropertyBag& bag, const Value& from);
     void fillDecomposed(const char* type, const Shape& shape, const Value& from, void* to);
     [[noreturn]] void refuse(const char* type, const Value& from, const std::string& why = "") const;

@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include "read_value.hpp"
 
+#include <ros/names.h>
 #include <rtt/PropertyBag.hpp>
 #include <rtt/types/PropertyDecomposition.hpp>
 #include <rtt/types/ShownTable.hpp>
@@ -76,7 +77,8 @@ const char* problemOf(std::string_view text) {
 }  // namespace
 
 bool isParameterName(const std::string& name) {
-    return !name.empty() && name.find('/') == std::string::npos && !problemOf(name);
+    std::string why;
+    return !name.empty() && name.find('/') == std::string::npos && ros::names::validate('/' + name, why);
 }
 
 void Reader::refuse(const char* type, const std::string& why) const {

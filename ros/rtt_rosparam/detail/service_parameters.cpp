@@ -3,19 +3,20 @@
 #include "service_parameters.hpp"
 
 #include "fill_value.hpp"
-#include "guarded.hpp"
 #include "master.hpp"
 #include "names.hpp"
 #include "read_value.hpp"
 #include "xml_value.hpp"
 
 #include <rtt/Logger.hpp>
+#include <rtt_ros/guarded.hpp>
 
 #include <optional>
 
 namespace rtt_rosparam {
 
 using namespace RTT;
+using rtt_ros::problemIn;
 typedef XmlRpc::XmlRpcValue Value;
 
 namespace {

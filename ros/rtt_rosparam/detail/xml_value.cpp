@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include "xml_value.hpp"
 
+#include <cmath>
 #include <sstream>
 
 namespace rtt_rosparam {
@@ -26,6 +27,29 @@ std::string described(const XmlRpc::XmlRpcValue& value) {
         case Value::TypeInvalid: text << "nothing"; break;
     }
     return text.str();
+}
+
+bool same(const XmlRpc::XmlRpcValue& one, const XmlRpc::XmlRpcValue& other) {
+    typedef XmlRpc::XmlRpcValue Value;
+    if (one.getType() != other.getType()) return false;
+    switch (one.getType()) {
+        case Value::TypeDouble: {
+            const double a = as<double>(one), b = as<double>(other);
+            return a == b || (std::isnan(a) && std::isnan(b));
+        }
+        case Value::TypeArray:
+            if (one.size() != other.size()) return false;
+            for (int i = 0; i != one.size(); ++i)
+                if (!same(one[i], other[i])) return false;
+            return true;
+        case Value::TypeStruct:
+            if (one.size() != other.size()) return false;
+            for (const auto& [name, member] : one)
+                if (!other.hasMember(name) || !same(member, other[name])) return false;
+            return true;
+        case Value::TypeInvalid: return true;
+        default: return one == other;
+    }
 }
 
 }  // namespace rtt_rosparam

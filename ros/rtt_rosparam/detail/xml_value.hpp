@@ -12,6 +12,9 @@ namespace rtt_rosparam {
 /** What a value of the parameter server is, for messages: "a double (0.5)". */
 std::string described(const XmlRpc::XmlRpcValue& value);
 
+/** As ==, but a number that is NaN is the same as itself. */
+bool same(const XmlRpc::XmlRpcValue& one, const XmlRpc::XmlRpcValue& other);
+
 /** Of this type, whose C++ type is T. */
 template <class T>
 const T& as(const XmlRpc::XmlRpcValue& value) {

@@ -15,6 +15,7 @@
 #include <boost/shared_ptr.hpp>
 
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,7 @@ protected:
     void cleanupHook() override;
 
 private:
+    typedef std::lock_guard<std::mutex> Lock;
     struct Tracker {
         std::string target, source;
         RTT::OutputPort<Stamped> port;
@@ -63,19 +65,23 @@ private:
     std::vector<Stream> streams();
     bool openStreams();
     void closeStreams();
+    std::string prefixNow() const;
+    tf2_msgs::TFMessage withAllStatic(tf2_msgs::TFMessage fresh);
     tf2_msgs::TFMessage accepted(const std::vector<Stamped>& transforms);
     void send(RTT::OutputPort<tf2_msgs::TFMessage>& port, const tf2_msgs::TFMessage& message);
     void lookAtTime();
 
     double cacheTime_ = 10, bufferSize_ = 100;
     std::string prefixProperty_;
-    std::string prefix_;
     RTT::InputPort<tf2_msgs::TFMessage> in_, staticIn_;
     RTT::OutputPort<tf2_msgs::TFMessage> out_, staticOut_;
     // Lookups share it, which may go on in other threads when this component is destroyed.
     const boost::shared_ptr<detail::Transforms> transforms_;
     std::vector<std::unique_ptr<Tracker>> trackers_;
     tf2_msgs::TFMessage received_;
+    // Broadcasts use them, which may be executed while another thread configures this component.
+    mutable std::mutex mutex_;
+    std::string prefix_;
     tf2_msgs::TFMessage allStatic_;
     ros::Time last_;
     detail::Reported refused_;

@@ -32,7 +32,7 @@ std::string knownFrames(const tf2::BufferCore& buffer) {
     return text;
 }
 
-/** The reason why there is none, with its text; 0 if there is one. */
+/** The reason why there is none, with its text, which knownFrames() completes if it is Unknown; 0 if there is one. */
 unsigned lookup(const tf2::BufferCore* buffer, const std::string& target, const std::string& source,
                 const ros::Time& time, geometry_msgs::TransformStamped& result, std::string& why) {
     if (!buffer) {
@@ -46,7 +46,7 @@ unsigned lookup(const tf2::BufferCore* buffer, const std::string& target, const 
     try {
         for (const std::string& frame : {target, source}) {
             if (buffer->_frameExists(frame)) continue;
-            why = "frame '" + frame + "' is unknown; " + knownFrames(*buffer);
+            why = "frame '" + frame + "' is unknown; ";
             return Unknown;
         }
         result = buffer->lookupTransform(target, source, time);
@@ -125,14 +125,15 @@ void Transforms::forgetMoving() {
 
 bool Transforms::find(Use& use, Frame target, Frame source, const ros::Time& time, Stamped& result) {
     std::string why;
-    const unsigned reason = lookup(buffer().get(), bare(target), bare(source), time, result, why);
+    const Buffer from = buffer();
+    const unsigned reason = lookup(from.get(), bare(target), bare(source), time, result, why);
     if (reason == 0 && use.reported.isEmpty()) return true;
     const std::string subject = target + '\n' + source;
     if (reason == 0)
         use.reported.works(subject);
     else if (use.reported.isNew(subject, reason))
         RTT::log(use.level) << name_ << ": no transform to '" << target << "' from '" << source << "': " << why
-                            << RTT::endlog();
+                            << (reason == Unknown ? knownFrames(*from) : std::string()) << RTT::endlog();
     return reason == 0;
 }
 

@@ -97,6 +97,10 @@ TEST_F(ParameterService, MalformedNames) {
         EXPECT_THAT(log_.take(), HasSubstr("is not a name for a parameter")) << name;
     }
     EXPECT_FALSE(call(component_, "setRelative", std::string("a b")));
+    component_.addProperty("a-b", value);
+    (void)log_.take();
+    EXPECT_FALSE(call(component_, "setAll"));
+    EXPECT_THAT(log_.take(), HasSubstr("'a-b' cannot be the name of a parameter")) << "roscpp refuses it";
     RTT::TaskContext odd("my-component");
     ASSERT_TRUE(odd.loadService("rosparam"));
     EXPECT_FALSE(call(odd, "getAll"));

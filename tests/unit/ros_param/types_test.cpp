@@ -5,6 +5,9 @@
 
 #include "../encoding/encoded_types.hpp"
 
+#include <rtt_rosparam/parameter_binding.hpp>
+
+#include <cstddef>
 #include <thread>
 
 namespace param_test {
@@ -35,6 +38,11 @@ public:
     }
 };
 
+struct Boxed {
+    RTT::PropertyBag bag;
+};
+constexpr t::Member boxedMembers[] = {{"bag", offsetof(Boxed, bag), &t::typeRef<RTT::PropertyBag>, 0, "", ""}};
+
 class TypesOfParameters : public WithMaster {
 protected:
     static void SetUpTestSuite() {
@@ -47,6 +55,7 @@ protected:
         types->addType(t::makeSequenceType<std::vector<int>>("/std/vector</int>"));
         types->addType(t::makeAdaptedMatrix<encoded::MatrixAccess>("/encoded/Matrix", ""));
         types->addType(t::makeStructType<encoded::Picky>("/encoded/Picky", encoded::pickyMembers, 1));
+        types->addType(t::makeStructType<Boxed>("/demo/Boxed", boxedMembers, 1));
         types->addType(t::makeStructType<encoded::Nothing>("/encoded/Nothing", nullptr, 0));
         types->addType(t::detail::newSequenceGenerator("/std/list</int>", t::linkedOps<std::list<int>>(),
                                                        t::typeOps<std::list<int>>(), t::typeThunks<std::list<int>>()));
@@ -116,6 +125,23 @@ TEST_F(TypesOfParameters, SettersThatThrow) {
     given["level"] = -1;
     EXPECT_EQ(0, got(given, encoded::Picky(), false).level());
     EXPECT_THAT(log_.take(), HasSubstr("'/n/c/p/level' is an int (-1), which cannot be a value of type int: below 0"));
+}
+
+TEST_F(TypesOfParameters, ABagThatIsAPart) {
+    Boxed boxed;
+    boxed.bag.ownProperty(new RTT::Property<int>("a", "", 1));
+    boxed.bag.ownProperty(new RTT::Property<int>("b", "", 2));
+    Value given;
+    given["bag"]["a"] = 7;
+    const Boxed read = got(given, boxed);
+    ASSERT_TRUE(read.bag.getPropertyType<int>("a") && read.bag.getPropertyType<int>("b")) << log_.take();
+    EXPECT_EQ(7, read.bag.getPropertyType<int>("a")->get());
+    EXPECT_EQ(2, read.bag.getPropertyType<int>("b")->get());
+    Boxed other(boxed);
+    rtt_rosparam::ParameterBinding binding("/n/c/p", typeid(Boxed));
+    EXPECT_TRUE(binding.read(&other)) << log_.take();
+    EXPECT_EQ(7, other.bag.getPropertyType<int>("a")->get());
+    EXPECT_FALSE(binding.read(&other)) << "it is known";
 }
 
 TEST_F(TypesOfParameters, TwoComponentsAtOnce) {

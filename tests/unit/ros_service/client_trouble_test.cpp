@@ -7,6 +7,8 @@
 
 #include <ros/ros.h>
 
+#include <pthread.h>
+
 #include <atomic>
 #include <chrono>
 #include <thread>
@@ -107,6 +109,62 @@ TEST_F(ServiceTest, ATimeOutEndsCalls) {
     EXPECT_EQ(RTT::CollectFailure, pump->trigger.send(text).collect(result, text));
     EXPECT_TRUE(isSoon(begin));
     EXPECT_TRUE(log.has("no response within 0.1")) << log.text();
+}
+
+TEST_F(ServiceTest, ARequestThatIsLateInTheQueueLeavesTheOthers) {
+    std::atomic<int> calls{0};
+    const boost::function<bool(std_srvs::Trigger::Request&, std_srvs::Trigger::Response&)> slow =
+        [&](std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+            ++calls;
+            std::this_thread::sleep_for(std::chrono::milliseconds(600));
+            return (response.success = true);
+        };
+    ros::ServiceServer server = ros::NodeHandle().advertiseService("/late", slow);
+    RTT::Property<double> timeout = pump->provides("rosservice")->getProperty("timeout");
+    timeout.set(0.9);
+    ASSERT_TRUE(pump->services->connect("ping", "/late", "std_srvs/Trigger"));
+    RTT::SendHandle<bool()> first = pump->ping.send(), second = pump->ping.send();
+    const LogText log;
+    EXPECT_FALSE(pump->ping());
+    EXPECT_TRUE(log.has("no response within 0.9")) << log.text();
+    bool result = false;
+    EXPECT_EQ(RTT::SendSuccess, first.collect(result));
+    EXPECT_TRUE(result);
+    result = false;
+    EXPECT_EQ(RTT::SendSuccess, second.collect(result));
+    EXPECT_TRUE(result);
+    EXPECT_TRUE(pump->ping());
+    EXPECT_EQ(3, calls);
+}
+
+TEST_F(ServiceTest, ACallThatNobodyCollectsStopsOthersForItsTimeOnly) {
+    Stuck server;
+    RTT::Property<double> timeout = pump->provides("rosservice")->getProperty("timeout");
+    timeout.set(0.3);
+    ASSERT_TRUE(pump->services->connect("ping", "/stuck", "std_srvs/Trigger"));
+    (void)pump->ping.send();
+    while (!server.isIn) std::this_thread::yield();
+    server.isIn = false;
+    for (int i = 0; i != 2; ++i) EXPECT_FALSE(pump->ping());
+    EXPECT_TRUE(server.isIn);  // by a call that followed
+}
+
+TEST_F(ServiceTest, WithoutAThreadASentCallFails) {
+    pump->addOperation("yes", std::function<bool()>([] { return true; }));
+    ASSERT_TRUE(pump->services->connect("yes", "/yes", "std_srvs/Trigger"));
+    ASSERT_TRUE(pump->services->connect("ping", "/yes", "std_srvs/Trigger"));
+    pthread_attr_t before, huge;
+    ASSERT_EQ(0, pthread_getattr_default_np(&before));
+    ASSERT_EQ(0, pthread_attr_init(&huge));
+    ASSERT_EQ(0, pthread_attr_setstacksize(&huge, std::size_t(1) << 50));
+    ASSERT_EQ(0, pthread_setattr_default_np(&huge));
+    const LogText log;
+    RTT::SendHandle<bool()> handle;
+    EXPECT_NO_THROW(handle = pump->ping.send());
+    ASSERT_EQ(0, pthread_setattr_default_np(&before));
+    EXPECT_EQ(RTT::SendFailure, handle.collect());
+    EXPECT_TRUE(log.has("no thread to be had")) << log.text();
+    EXPECT_EQ(RTT::SendSuccess, pump->ping.send().collect());
 }
 
 TEST_F(ServiceTest, DisconnectAndDestructionEndCalls) {

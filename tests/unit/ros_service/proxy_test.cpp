@@ -114,3 +114,25 @@ TEST_F(ServiceTest, ATypeWithoutATypekitIsRefused) {
     EXPECT_TRUE(log.has("import rtt_ghost_srvs")) << log.text();
     EXPECT_FALSE(pump->services->connect("away.standard", "/boo", "ghost_srvs/Boo"));
 }
+
+TEST(ServiceCodecTest, BytesBehindARequestAreRefused) {
+    const rtt_roscomm::RosCodec<std_srvs::SetBoolRequest> codec;
+    const std::uint8_t bytes[] = {1, 0};
+    std_srvs::SetBoolRequest request;
+    codec.decode(bytes, 1, &request);
+    EXPECT_TRUE(request.data);
+    EXPECT_THROW(codec.decode(bytes, 2, &request), std::runtime_error);
+}
+
+TEST_F(ServiceTest, ASecondConnectOfAProxyLeavesTheFirst) {
+    auto* const factory = ROSServiceRegistryService::Instance()->getServiceFactory("std_srvs/Trigger");
+    ASSERT_TRUE(factory);
+    const std::unique_ptr<ROSServiceServerProxyBase> proxy(factory->create_server_proxy("/told"));
+    ASSERT_TRUE(proxy->connect(pump.get(), pump->getOperation("tell")));
+    const LogText log;
+    EXPECT_FALSE(proxy->connect(pump.get(), pump->getOperation("ask")));
+    EXPECT_TRUE(log.has("offered by operation 'tell' of component 'pump' already")) << log.text();
+    std_srvs::Trigger call;
+    ASSERT_TRUE(ros::service::call("/told", call));
+    EXPECT_EQ("told", call.response.message);
+}

@@ -103,9 +103,15 @@ TEST_F(ServiceTest, AFailedConnectLeavesNothing) {
     EXPECT_TRUE(log.has("import rtt_ship_msgs"));
     EXPECT_FALSE(pump->services->connect("flip", "/half", "Sail"));
     EXPECT_FALSE(pump->services->connect("flip", "/ha lf", "std_srvs/Empty"));
-    EXPECT_TRUE(log.has("malformed"));
+    EXPECT_TRUE(log.has("the name is malformed: "));
     EXPECT_FALSE(pump->services->connect("flip", "", "std_srvs/Empty"));
+    EXPECT_TRUE(log.has("the name is malformed: it is empty")) << log.text();
+    EXPECT_FALSE(pump->services->connect("flip", "a/", "std_srvs/Empty"));
+    EXPECT_TRUE(log.has("the name is malformed: it ends with a slash")) << log.text();
     EXPECT_FALSE(pump->services->connect("flip", "~", "std_srvs/Empty"));
+    EXPECT_TRUE(log.has("such as ~x")) << log.text();
+    EXPECT_FALSE(pump->services->connect("ping", "~~x", "std_srvs/Empty"));
+    EXPECT_FALSE(pump->services->connect("ping", "1x", "std_srvs/Empty"));
     EXPECT_FALSE(pump->services->connect("half", "/half", "std_srvs/Trigger"));
     EXPECT_TRUE(log.has("import rtt_std_srvs"));
     EXPECT_FALSE(ros::service::exists("/half", false));

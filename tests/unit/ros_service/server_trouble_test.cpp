@@ -115,6 +115,49 @@ TEST_F(ServiceTest, AComponentMayDisconnectWhileItIsCalled) {
     EXPECT_FALSE(ros::service::exists("/busy", false));
 }
 
+TEST_F(ServiceTest, DisconnectWaitsForTheSpinnersThatExecuteAnOperation) {
+    std::atomic<bool> isIn{false}, isOut{false};
+    const std::function<bool()> slow = [&] {
+        isIn = true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(300));
+        return isOut = true;
+    };
+    pump->addOperation("slow", slow, ClientThread);
+    ASSERT_TRUE(pump->services->connect("slow", "/slow", "std_srvs/Empty"));
+    std::thread client([] {
+        std_srvs::Empty call;
+        (void)ros::service::call("/slow", call);
+    });
+    while (!isIn) std::this_thread::yield();
+    EXPECT_TRUE(pump->services->disconnect("/slow"));
+    EXPECT_TRUE(isOut);
+    client.join();
+}
+
+TEST_F(ServiceTest, OperationsInSpinnersMayDisconnectEachOther) {
+    std::atomic<int> in{0}, out{0};
+    const auto ends = [&](const std::string& service) -> std::function<bool()> {
+        return [&, service] {
+            ++in;
+            while (in < 2) std::this_thread::yield();
+            EXPECT_TRUE(pump->services->disconnect(service));
+            return ++out != 0;
+        };
+    };
+    pump->addOperation("endsTwo", ends("/two"), ClientThread);
+    pump->addOperation("endsOne", ends("/one"), ClientThread);
+    ASSERT_TRUE(pump->services->connect("endsTwo", "/one", "std_srvs/Empty"));
+    ASSERT_TRUE(pump->services->connect("endsOne", "/two", "std_srvs/Empty"));
+    std::vector<std::thread> clients;
+    for (const char* service : {"/one", "/two"})
+        clients.emplace_back([service] {
+            std_srvs::Empty call;
+            (void)ros::service::call(service, call);
+        });
+    for (std::thread& client : clients) client.join();
+    while (out < 2) std::this_thread::yield();
+}
+
 TEST_F(ServiceTest, AComponentMayBeDestroyedWhileItIsCalled) {
     for (int i = 0; i != 20; ++i) {
         auto made = std::make_unique<Pump>("other");
@@ -163,6 +206,33 @@ TEST_F(ServiceTest, AMasterThatIsAwayIsNamed) {
     ASSERT_TRUE(master().start());
     EXPECT_TRUE(pump->services->connect("flip", "/away", "std_srvs/Empty"));
     EXPECT_TRUE(pump->ping());
+}
+
+TEST(ServiceNodeTest, NamesAreRemappedOnce) {
+    loadServices();
+    (void)master({{"/one", "/two"}, {"/two", "/one"}, {"~own", "/three"}, {"/three", "/four"}});
+    Pump pump("pump");
+    const auto services = pump.getProvider<rtt_roscomm::ROSService>("rosservice");
+    pump.start();
+    ASSERT_TRUE(services->connect("ask", "/one", "std_srvs/Trigger"));
+    ASSERT_TRUE(services->connect("tell", "~own", "std_srvs/Trigger"));
+    std::string host;
+    std::uint32_t port = 0;
+    const auto isThere = [&](const char* name) {
+        return ros::ServiceManager::instance()->lookupService(name, host, port);
+    };
+    EXPECT_TRUE(isThere("/two"));
+    EXPECT_FALSE(isThere("/one"));
+    EXPECT_TRUE(isThere("/three"));
+    EXPECT_FALSE(isThere("/four"));
+    ASSERT_TRUE(services->connect("trigger", "~own", "std_srvs/Trigger"));
+    std::string text;
+    EXPECT_TRUE(pump.trigger(text));
+    EXPECT_EQ("told", text);
+    EXPECT_TRUE(services->disconnect("/one"));
+    EXPECT_TRUE(services->disconnect("~own"));
+    EXPECT_FALSE(isThere("/two"));
+    EXPECT_FALSE(isThere("/three"));
 }
 
 TEST(ServiceNodeTest, WithoutANodeTheImportIsNamed) {

@@ -38,9 +38,8 @@ const rtt_roscomm::ServiceEntry entries[] = {
 };
 
 struct Node {
-    Node() {
-        int argc = 0;
-        ros::init(argc, nullptr, "pumps", ros::init_options::NoSigintHandler);
+    explicit Node(const ros::M_string& remapped) {
+        ros::init(remapped, "pumps", ros::init_options::NoSigintHandler);
         ros::start();
         spinner = std::make_unique<ros::AsyncSpinner>(3);
         spinner->start();
@@ -55,8 +54,8 @@ struct Node {
 
 }  // namespace
 
-RosMaster& master() {
-    static Node node;
+RosMaster& master(const std::map<std::string, std::string>& remapped) {
+    static Node node(remapped);
     return node.master;
 }
 

@@ -14,6 +14,7 @@
 #include <support/child_process.hpp>
 #include <support/ros_master.hpp>
 
+#include <map>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -28,8 +29,8 @@ using RTT::ClientThread;
 using RTT::OperationCaller;
 using RTT::OwnThread;
 
-/** One for the process. The first use makes this process a node. */
-RosMaster& master();
+/** One for the process. The first use makes this process a node, with these names in place of others. */
+RosMaster& master(const std::map<std::string, std::string>& remapped = {});
 /** Loads plugins and makes std_srvs known, as rtt_std_srvs does. */
 void loadServices();
 

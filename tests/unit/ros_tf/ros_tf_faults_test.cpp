@@ -6,9 +6,11 @@
 #include <flow/log_capture.hpp>
 
 #include <ros/node_handle.h>
+#include <ros/param.h>
 #include <rtt/InputPort.hpp>
 #include <rtt/OutputPort.hpp>
 #include <rtt/deployment/ComponentLoader.hpp>
+#include <rtt/internal/ConnectionManager.hpp>
 #include <tf2_msgs/TFMessage.h>
 
 #include <gmock/gmock.h>
@@ -168,6 +170,50 @@ TEST_F(RosTfFaults, CleanupKeepsTheConnectionsOfOthers) {
     message.transforms = {moved("world", "base", 2)};
     feed.write(message);
     EXPECT_TRUE(isAt(2, "world", "base"));
+}
+
+int streamsOf(RTT::TaskContext& tf, const std::string& port) {
+    return static_cast<int>(tf.getPort(port)->getManager()->getConnections().size());
+}
+
+TEST_F(RosTfFaults, ItIsConfiguredTwice) {
+    ros_test::addMessageTypes();
+    ASSERT_TRUE(tf->configure());
+    ASSERT_TRUE(tf->configure());
+    for (const char* port : {"tf_in", "tf_static_in", "tf_out", "tf_static_out"})
+        EXPECT_EQ(1, streamsOf(*tf, port)) << port;
+    ASSERT_TRUE(tf->start());
+    calls.broadcastStaticTransform(moved("world", "base", 1));
+    EXPECT_TRUE(isAt(1, "world", "base"));
+    ASSERT_TRUE(tf->stop());
+    set("buffer_size", double(NAN));
+    EXPECT_FALSE(tf->configure());
+    for (const char* port : {"tf_in", "tf_static_in", "tf_out", "tf_static_out"})
+        EXPECT_EQ(0, streamsOf(*tf, port)) << port;
+    EXPECT_TRUE(std::isnan(x("world", "base")));
+}
+
+TEST_F(RosTfFaults, APrefixMustBeAText) {
+    ros_test::addMessageTypes();
+    ros::param::set("/tf_prefix", 3);
+    flow_test::LogCapture log;
+    EXPECT_FALSE(tf->configure());
+    EXPECT_EQ(1, count(log.finish(), "parameter /tf_prefix is no string; set it to a text"));
+    ros::param::set("/tf_prefix", "robot1");
+    EXPECT_TRUE(tf->configure());
+}
+
+TEST_F(RosTfFaults, BroadcastsGoOnWhileItIsConfigured) {
+    ros_test::addMessageTypes();
+    ASSERT_TRUE(start());
+    std::atomic<bool> isOver{false};
+    std::thread other([&] {
+        for (int i = 0; !isOver; ++i)
+            calls.broadcastStaticTransform(moved("world", "base" + std::to_string(i % 50), 1));
+    });
+    for (int round = 0; round != 10; ++round) EXPECT_TRUE(tf->stop() && tf->cleanup() && start());
+    isOver = true;
+    other.join();
 }
 
 TEST_F(RosTfFaults, ThreadsLookUpWhileItReceivesAndIsConfiguredAgain) {
