@@ -36,6 +36,12 @@ public:
                     "/use_sim_time is not true.");
         for (const char* const name : {"disableSim", "disableSimClock"})
             addOperation(name, &disable_sim).doc("Ends simulated time.");
+        addOperation("setCatchUpLimit", &set_catch_up_limit)
+            .doc(
+                "How often an activity may be due in one step of the clock and executes each time. One that is due more often "
+                "executes once, at the end of the step. False if negative.")
+            .arg("executions", "the limit, 1000 at first");
+        addOperation("catchUpLimit", &catch_up_limit).doc("What setCatchUpLimit() has set.");
         addOperation("updateSimClock", &update_sim_clock)
             .doc("The new time of the manual clock. Returns when all that is due up to then has been executed.")
             .arg("time", "the time, not the difference");

@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include <rtt_rosclock/rtt_rosclock.h>
 #include <rtt_rosclock/rtt_rosclock_sim_clock_activity.h>
+#include <rtt_rosclock/rtt_rosclock_sim_clock_activity_manager.h>
 #include <rtt_rosclock/rtt_rosclock_sim_clock_thread.h>
 
 #include <rtt/Logger.hpp>
@@ -54,6 +55,16 @@ bool use_ros_clock_topic() { return SimClockThread::Instance()->useROSClockTopic
 bool use_manual_clock() { return SimClockThread::Instance()->useManualClock(); }
 bool enable_sim() { return SimClockThread::Instance()->enableSim(); }
 bool disable_sim() { return SimClockThread::Instance()->disableSim(); }
+bool set_catch_up_limit(int executions) {
+    if (executions < 0) {
+        RTT::log(RTT::Error) << "rtt_rosclock: the limit of executions in a step cannot be " << executions
+                             << "; expected 0 or more" << RTT::endlog();
+        return false;
+    }
+    SimClockActivityManager::Instance()->setCatchUpLimit(executions);
+    return true;
+}
+int catch_up_limit() { return SimClockActivityManager::Instance()->catchUpLimit(); }
 bool update_sim_clock(const ros::Time& new_time) { return SimClockThread::Instance()->updateClock(new_time); }
 
 }  // namespace rtt_rosclock

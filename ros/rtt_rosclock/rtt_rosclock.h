@@ -39,17 +39,23 @@ bool use_manual_clock();
 
 /// Sets the time of RTT::os::TimeService to 0; from then on only the source moves it. True if it is enabled already.
 /// False, with an error logged: for the source /clock if there is no node or if the parameter /use_sim_time is not true,
-/// and for any source if another simulation has taken the time. Blocks while it asks the ROS master.
+/// and for any source if another simulation has taken the time. Blocks while it asks the ROS master, which is given up
+/// after 2 s.
 bool enable_sim();
 /// The time is that of the system again. An execution in progress is not waited for; no further one begins. True also if
-/// it was not enabled.
+/// it was not enabled. For the source /clock, blocks while the ROS master is told, 2 s at most.
 bool disable_sim();
+
+/// An activity that is due more often than this in one step of the clock executes once, at the end of the step; others
+/// execute at each of their due times. 1000 at first. False, with an error logged, if negative. Real-time safe otherwise.
+bool set_catch_up_limit(int executions);
+int catch_up_limit();
 
 /// The new time of a manual clock. Executes what is due up to that time in the thread of the simulation, and blocks until
 /// that is done; the calling component serves its messages meanwhile. If the thread of the simulation calls it, the time
 /// follows after the present one and this returns at once. What an execution waits for must not call it. Equal times do
 /// nothing, an earlier one moves back, 0 resets. False, with an error logged, if a manual clock is not enabled; false if
-/// it is disabled meanwhile.
+/// it is disabled, or the thread of the simulation stopped, meanwhile.
 bool update_sim_clock(const ros::Time& new_time);
 
 }  // namespace rtt_rosclock

@@ -47,16 +47,19 @@ public:
 
 protected:
     void loop() override;
+    /// Logs an exception of the runnable, and stops.
+    void work(RTT::base::RunnableInterface::WorkReason reason) override;
 
 private:
     friend class SimClockActivityManager;
     SimClockActivity(const boost::shared_ptr<SimClockThread>& thread, RTT::Seconds period,
                      RTT::base::RunnableInterface* run, const std::string& name);
-    bool isDue(RTT::nsecs now, bool isClockTime) const;
-    RTT::nsecs nextDue(RTT::nsecs period) const;
-    RTT::nsecs nextDueOr(RTT::nsecs limit) const;
-    RTT::nsecs missed(RTT::nsecs now) const;
+    bool isDue(RTT::nsecs now, bool isClockTime, bool isStep) const;
+    RTT::nsecs nextDueAfter(RTT::nsecs now, RTT::nsecs limit) const;
+    RTT::nsecs missed(RTT::nsecs now, RTT::nsecs until) const;
     void executeAt(RTT::nsecs now);
+    template <class Function>
+    void stopIfThrown(Function&& function);
 
     const boost::shared_ptr<SimClockThread> thread_;
     const boost::shared_ptr<SimClockActivityManager> manager_;
@@ -64,6 +67,7 @@ private:
     std::atomic<RTT::nsecs> period_;
     std::atomic<RTT::nsecs> last_{0};          // what was due up to this time has been executed
     std::atomic<bool> missedTrigger_{false};  // the thread had no room for it
+    bool skips_ = false;                      // in this step; of the thread of the simulation
 };
 
 }  // namespace rtt_rosclock

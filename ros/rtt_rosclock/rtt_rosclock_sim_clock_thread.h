@@ -44,18 +44,27 @@ public:
     bool updateClock(const ros::Time& time);
 
 protected:
+    bool initialize() override;
     void loop() override;
     bool breakLoop() override;
+    /// Those that wait for a new time return false.
+    void finalize() override;
+    void work(RTT::base::RunnableInterface::WorkReason reason) override;
 
 private:
     struct Update {
         RTT::nsecs time;
         bool* executed;  // of the thread that waits; null for none
+        std::uint32_t ticket;
     };
     SimClockThread();
+    void push(RTT::nsecs time, bool* executed);
+    void dropUpdates();
     bool nextUpdate(Update& update, std::uint32_t& session);
-    void finished(const Update& update, std::uint32_t session);
-    void advance(RTT::nsecs to, std::uint32_t session);
+    void finished(const Update& update, bool reached);
+    bool advance(RTT::nsecs to, std::uint32_t session);
+    bool moveBack(RTT::nsecs to, std::uint32_t session);
+    void warnOfSkips(RTT::nsecs from, RTT::nsecs to);
     bool moveTime(RTT::nsecs to, std::uint32_t session);
     void executeDue(RTT::nsecs now, bool isClockTime, std::uint32_t session);
     void settle();
@@ -67,17 +76,17 @@ private:
     mutable std::mutex mutex_;  // of what follows; never held while an activity executes
     ClockSource source_ = SIM_CLOCK_SOURCE_MANUAL;
     bool enabled_ = false;
+    bool takesUpdates_ = false;  // the thread is not stopped
     std::atomic<std::uint32_t> session_{0};  // written with the mutex; counts enableSim() and disableSim()
     std::deque<Update> updates_;
     std::uint32_t asked_ = 0;  // number of updates ever made
     RTT::os::TimeService::ticks logReference_ = 0;
     std::shared_ptr<ClockTopic> topic_;
-    std::mutex changing_;  // one enableSim() or disableSim() after the other
-
     std::atomic<std::uint32_t> done_{0};  // number of updates executed or dropped
     // Of this thread.
     std::uint32_t startedSession_ = 0;
     bool isFirst_ = true;  // no time since the last reset
+    bool hasWarned_ = false;  // of skips, and no step without one has followed
 };
 
 }  // namespace rtt_rosclock

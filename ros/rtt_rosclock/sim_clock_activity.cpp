@@ -4,7 +4,11 @@
 #include <rtt_rosclock/rtt_rosclock_sim_clock_activity_manager.h>
 #include <rtt_rosclock/rtt_rosclock_sim_clock_thread.h>
 
+#include <rtt/Logger.hpp>
+
 #include <algorithm>
+#include <cxxabi.h>
+#include <exception>
 
 namespace rtt_rosclock {
 
@@ -65,26 +69,53 @@ bool SimClockActivity::trigger() {
 // The thread of the simulation has no period, so the base class calls this.
 void SimClockActivity::loop() { step(); }
 
-RTT::nsecs SimClockActivity::nextDue(RTT::nsecs period) const { return (last_ / period + 1) * period; }
-
-bool SimClockActivity::isDue(RTT::nsecs now, bool isClockTime) const {
+// A multiple of the period since the last time. In a step of the clock: that is now, or, if it skips some, the last one
+// when the step ends. start() and setPeriod() of other threads may come between nextDueAfter() and this.
+bool SimClockActivity::isDue(RTT::nsecs now, bool isClockTime, bool isStep) const {
     const RTT::nsecs period = period_;
-    return isActive() && (period == 0 ? isClockTime : nextDue(period) <= now);
+    if (!isActive()) return false;
+    if (period == 0) return isClockTime;
+    const RTT::nsecs latest = now / period * period;
+    if (latest <= last_) return false;
+    if (!isStep) return true;
+    return skips_ ? isClockTime : latest == now;
 }
 
-RTT::nsecs SimClockActivity::nextDueOr(RTT::nsecs limit) const {
+// Never before `now`: another thread may start it, or change its period, with an earlier time in mind.
+RTT::nsecs SimClockActivity::nextDueAfter(RTT::nsecs now, RTT::nsecs limit) const {
     const RTT::nsecs period = period_;
-    return period == 0 || !isActive() ? limit : std::min(limit, nextDue(period));
+    if (period == 0 || !isActive() || skips_) return limit;
+    return std::min(limit, (std::max<RTT::nsecs>(last_, now) / period + 1) * period);
 }
 
-RTT::nsecs SimClockActivity::missed(RTT::nsecs now) const {
+RTT::nsecs SimClockActivity::missed(RTT::nsecs now, RTT::nsecs until) const {
     const RTT::nsecs period = period_;
-    return period == 0 || !isActive() ? 0 : now / period - last_ / period;
+    return period == 0 || !isActive() ? 0 : until / period - std::max<RTT::nsecs>(last_, now) / period;
+}
+
+template <class Function>
+void SimClockActivity::stopIfThrown(Function&& function) {
+    std::string what = "its type is unknown";
+    try {
+        return function();
+    } catch (abi::__forced_unwind&) {
+        throw;
+    } catch (const std::exception& thrown) {
+        what = thrown.what();
+    } catch (...) {
+    }
+    RTT::log(RTT::Critical) << getName() << ": its activity in simulated time is stopped, because an exception left it: "
+                            << what << RTT::endlog();
+    stop();
 }
 
 void SimClockActivity::executeAt(RTT::nsecs now) {
     last_ = now;
-    SlaveActivity::execute();
+    stopIfThrown([this] { SlaveActivity::execute(); });
+}
+
+void SimClockActivity::work(RTT::base::RunnableInterface::WorkReason reason) {
+    stopIfThrown([&] { SlaveActivity::work(reason); });
 }
 
 }  // namespace rtt_rosclock

@@ -3,12 +3,9 @@
 #include <rtt_rosclock/rtt_rosclock_sim_clock_activity.h>
 #include <rtt_rosclock/rtt_rosclock_sim_clock_activity_manager.h>
 
-#include <rtt/Logger.hpp>
 #include <rtt/os/TimeService.hpp>
 
 #include <algorithm>
-#include <cxxabi.h>
-#include <exception>
 
 namespace rtt_rosclock {
 
@@ -47,48 +44,43 @@ void SimClockActivityManager::forEach(Function&& function) {
     }
 }
 
-namespace {
-void stopAfter(SimClockActivity& activity, const char* what) {
-    RTT::log(RTT::Critical) << activity.getName() << ": its activity in simulated time is stopped, because an exception left it: "
-                            << what << RTT::endlog();
-    activity.stop();
-}
-}  // namespace
-
 void SimClockActivityManager::update(bool isClockTime) {
-    execute(RTT::os::TimeService::Instance()->getNSecs(), isClockTime, [] { return true; });
+    execute(RTT::os::TimeService::Instance()->getNSecs(), isClockTime, false, [] { return true; });
 }
 
-void SimClockActivityManager::execute(RTT::nsecs now, bool isClockTime, const std::function<bool()>& goesOn) {
+void SimClockActivityManager::execute(RTT::nsecs now, bool isClockTime, bool isStep, const std::function<bool()>& goesOn) {
     now_ = now;
     forEach([&](SimClockActivity& activity) {
-        if (!activity.isDue(now, isClockTime) || !goesOn()) return;
-        try {
-            activity.executeAt(now);
-        } catch (abi::__forced_unwind&) {
-            throw;
-        } catch (const std::exception& thrown) {
-            stopAfter(activity, thrown.what());
-        } catch (...) {
-            stopAfter(activity, "its type is unknown");
-        }
+        if (activity.isDue(now, isClockTime, isStep) && goesOn()) activity.executeAt(now);
     });
 }
 
-RTT::nsecs SimClockActivityManager::nextDue(RTT::nsecs limit) {
-    forEach([&](const SimClockActivity& activity) { limit = activity.nextDueOr(limit); });
-    return limit;
-}
-
-RTT::nsecs SimClockActivityManager::mostMissed(RTT::nsecs until) {
+void SimClockActivityManager::beginStep() {
     const RTT::nsecs now = now_;
-    RTT::nsecs most = 0;
+    skips_ = {};
     forEach([&](SimClockActivity& activity) {
         // It was started while the time was set back.
         if (activity.last_ > now) activity.last_ = now;
-        most = std::max(most, activity.missed(until));
+        activity.skips_ = false;
     });
-    return most;
+}
+
+RTT::nsecs SimClockActivityManager::nextDue(RTT::nsecs end) {
+    const RTT::nsecs now = now_, limit = catchUpLimit_;
+    RTT::nsecs next = end;
+    forEach([&](SimClockActivity& activity) {
+        const RTT::nsecs missed = activity.skips_ ? 0 : activity.missed(now, end);
+        if (missed > limit) {
+            activity.skips_ = true;
+            ++skips_.activities;
+            if (missed > skips_.most) {
+                skips_.most = missed;
+                skips_.busiest = activity.getName();
+            }
+        }
+        next = std::min(next, activity.nextDueAfter(now, end));
+    });
+    return next;
 }
 
 void SimClockActivityManager::reset(RTT::nsecs now) {

@@ -10,6 +10,7 @@
 #include <rtt/os/TimeService.hpp>
 #include <rtt/os/futex.hpp>
 
+#include <cxxabi.h>
 #include <exception>
 #include <string>
 
@@ -78,9 +79,9 @@ SimClockThread::ClockSource SimClockThread::getClockSource() const {
 
 bool SimClockThread::enableSim() {
     const char* const cannot = "cannot enable simulated time";
-    const std::lock_guard<std::mutex> one(changing_);
     if (isSimulated) return true;
     const ClockSource source = getClockSource();
+    // Begins before the lock, and ends after it, because ROS asks the master.
     std::shared_ptr<ClockTopic> topic;
     if (source == SIM_CLOCK_SOURCE_ROS_CLOCK_TOPIC) try {
             const std::string why = ClockTopic::whyNot();
@@ -91,6 +92,7 @@ bool SimClockThread::enableSim() {
         }
     {
         const std::lock_guard<std::mutex> lock(mutex_);
+        if (enabled_) return true;
         if (source != source_) return refuse(cannot, "another thread has changed its source meanwhile; try again");
         TimeService& time = *TimeService::Instance();
         if (!time.systemClockEnabled())
@@ -109,21 +111,19 @@ bool SimClockThread::enableSim() {
 }
 
 bool SimClockThread::disableSim() {
-    const std::lock_guard<std::mutex> one(changing_);
-    std::shared_ptr<ClockTopic> topic;  // ends after the lock, because that waits for threads of ROS
+    std::shared_ptr<ClockTopic> topic;
     {
         const std::lock_guard<std::mutex> lock(mutex_);
         if (!enabled_) return true;
         enabled_ = false;
         isSimulated = false;
         ++session_;
-        updates_.clear();
-        done_ = asked_;
+        dropUpdates();
         topic.swap(topic_);
         TimeService::Release();
         RTT::Logger::Instance()->setReferenceTime(logReference_);
     }
-    RTT::os::detail::futexWakeAll(done_);
+    if (topic) topic->close();
     return true;
 }
 
@@ -139,8 +139,9 @@ bool SimClockThread::updateClock(const ros::Time& time) {
             return refuse(cannot, "it comes from the topic /clock; call disableSim() and useManualClock() first");
         if (updates_.size() >= kMostWaiting)
             return refuse(cannot, std::to_string(updates_.size()) + " earlier ones wait for the thread of the simulation");
-        updates_.push_back({static_cast<nsecs>(time.toNSec()), waits ? &executed : nullptr});
-        ticket = ++asked_;
+        if (!takesUpdates_) return refuse(cannot, "the thread of the simulation is stopped; start() it");
+        push(static_cast<nsecs>(time.toNSec()), waits ? &executed : nullptr);
+        ticket = asked_;
     }
     trigger();
     if (!waits) return true;
@@ -150,15 +151,59 @@ bool SimClockThread::updateClock(const ros::Time& time) {
     return executed;
 }
 
+// With the mutex.
+void SimClockThread::push(nsecs time, bool* executed) {
+    updates_.push_back({time, executed, asked_ + 1});
+    ++asked_;
+}
+
+// With the mutex. One that is executing counts as done, so finished() does nothing for it.
+void SimClockThread::dropUpdates() {
+    updates_.clear();
+    done_ = asked_;
+    RTT::os::detail::futexWakeAll(done_);
+}
+
+bool SimClockThread::initialize() {
+    if (!RTT::Activity::initialize()) return false;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    takesUpdates_ = true;
+    return true;
+}
+
 bool SimClockThread::breakLoop() { return true; }
+
+void SimClockThread::finalize() {
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        takesUpdates_ = false;
+        dropUpdates();
+    }
+    RTT::Activity::finalize();
+}
+
+// What activities throw, they catch; a class that is derived from one may not.
+void SimClockThread::work(RTT::base::RunnableInterface::WorkReason reason) {
+    try {
+        RTT::Activity::work(reason);
+    } catch (abi::__forced_unwind&) {
+        throw;
+    } catch (const std::exception& thrown) {
+        RTT::log(RTT::Critical) << "rtt_rosclock: an exception left a message to an activity: " << thrown.what()
+                                << RTT::endlog();
+    } catch (...) {
+        RTT::log(RTT::Critical) << "rtt_rosclock: an exception of unknown type left a message to an activity"
+                                << RTT::endlog();
+    }
+}
 
 void SimClockThread::loop() {
     manager_->repeatMissedTriggers();
     pollTopic();
     Update update{};
     for (std::uint32_t session = 0; mayRun() && nextUpdate(update, session); pollTopic()) {
-        advance(update.time, session);
-        finished(update, session);
+        const bool reached = advance(update.time, session);
+        finished(update, reached);
     }
 }
 
@@ -173,9 +218,7 @@ void SimClockThread::pollTopic() {
     long long time = 0;
     if (!topic || !topic->poll(time)) return;
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (session != session_) return;
-    updates_.push_back({time, nullptr});
-    ++asked_;
+    if (session == session_ && takesUpdates_) push(time, nullptr);
 }
 
 bool SimClockThread::nextUpdate(Update& update, std::uint32_t& session) {
@@ -187,13 +230,11 @@ bool SimClockThread::nextUpdate(Update& update, std::uint32_t& session) {
     return true;
 }
 
-void SimClockThread::finished(const Update& update, std::uint32_t session) {
-    {
-        const std::lock_guard<std::mutex> lock(mutex_);
-        if (session != session_) return;
-        if (update.executed) *update.executed = true;
-        ++done_;
-    }
+void SimClockThread::finished(const Update& update, bool reached) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (static_cast<std::int32_t>(done_ - update.ticket) >= 0) return;  // dropped: nobody waits for it
+    if (update.executed) *update.executed = reached;
+    done_ = update.ticket;
     RTT::os::detail::futexWakeAll(done_);
 }
 
@@ -207,45 +248,59 @@ bool SimClockThread::moveTime(nsecs to, std::uint32_t session) {
     return true;
 }
 
-void SimClockThread::advance(nsecs to, std::uint32_t session) {
+// False if it has not come to that time, because the simulation or its thread has been stopped meanwhile.
+bool SimClockThread::advance(nsecs to, std::uint32_t session) {
     if (session != startedSession_) {
         startedSession_ = session;
         isFirst_ = true;
+        hasWarned_ = false;
         manager_->reset(0);
     }
     const nsecs from = manager_->now();
-    if (to == from) return;
-    const bool isBack = to < from;
-    if (isBack && to != 0)
-        RTT::log(RTT::Warning) << "rtt_rosclock: simulated time moves back from " << RTT::nsecs_to_Seconds(from) << " s to "
-                               << RTT::nsecs_to_Seconds(to) << " s; due times are set anew" << RTT::endlog();
-    if (isBack) {
-        if (!moveTime(to, session)) return;
-        isFirst_ = to == 0;
-        manager_->reset(to);
-        if (to != 0) executeDue(to, true, session);
-        return settle();
-    }
-    const nsecs missed = manager_->mostMissed(to);
-    const bool isJump = missed > SimClockActivityManager::kMostMissed;
-    // Simulated time that is enabled late begins with such a time.
-    if (isJump && !isFirst_)
-        RTT::log(RTT::Warning) << "rtt_rosclock: simulated time jumps from " << RTT::nsecs_to_Seconds(from) << " s to "
-                               << RTT::nsecs_to_Seconds(to) << " s; what is due executes once, not up to " << missed
-                               << " times" << RTT::endlog();
-    isFirst_ = false;
-    for (nsecs at = 0; at != to && mayRun();) {
-        at = isJump ? to : manager_->nextDue(to);
-        if (!moveTime(at, session)) return;
+    if (to < from) return moveBack(to, session);
+    manager_->beginStep();
+    for (nsecs at = from; at != to;) {
+        if (!mayRun()) return false;
+        at = manager_->nextDue(to);
+        if (!moveTime(at, session)) return false;
         executeDue(at, at == to, session);
         settle();
     }
+    if (to != from) warnOfSkips(from, to);
+    return true;
+}
+
+bool SimClockThread::moveBack(nsecs to, std::uint32_t session) {
+    if (to != 0)
+        RTT::log(RTT::Warning) << "rtt_rosclock: simulated time moves back from " << RTT::nsecs_to_Seconds(manager_->now())
+                               << " s to " << RTT::nsecs_to_Seconds(to) << " s; due times are set anew" << RTT::endlog();
+    if (!moveTime(to, session)) return false;
+    isFirst_ = to == 0;
+    manager_->reset(to);
+    if (to != 0) executeDue(to, true, session);
+    settle();
+    return true;
+}
+
+void SimClockThread::warnOfSkips(nsecs from, nsecs to) {
+    const auto& skips = manager_->skips();
+    // Simulated time that is enabled late begins with such a step.
+    if (skips.activities != 0 && !isFirst_ && !hasWarned_)
+        RTT::log(RTT::Warning) << "rtt_rosclock: in the step of simulated time from " << RTT::nsecs_to_Seconds(from)
+                               << " s to " << RTT::nsecs_to_Seconds(to) << " s, '" << skips.busiest << "' was due "
+                               << skips.most << " times, more than the limit of " << manager_->catchUpLimit()
+                               << ", and has executed once, as " << skips.activities - 1
+                               << " others have; setCatchUpLimit() changes the limit. No warning of the steps that follow "
+                                  "until one is within the limit"
+                               << RTT::endlog();
+    hasWarned_ = skips.activities != 0 && !isFirst_;
+    isFirst_ = false;
 }
 
 // In a step of the engine: while an activity waits for another component, the thread serves the other activities.
 void SimClockThread::executeDue(nsecs now, bool isClockTime, std::uint32_t session) {
     const EngineGate::Step here(*engine_.gate());
-    manager_->execute(now, isClockTime, [&] { return session == session_; });
+    manager_->execute(now, isClockTime, true, [&] { return session == session_; });
 }
 
 // What the executions have sent is executed before the time moves on, so that the order does not depend on other threads.

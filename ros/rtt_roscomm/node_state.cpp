@@ -3,13 +3,12 @@
 #include <rtt_roscomm/node_state.hpp>
 
 #include <rtt/Logger.hpp>
+#include <rtt_ros/guarded.hpp>
 #include <rtt_roscomm/detail/master_watch.hpp>
 #include <rtt_roscomm/detail/normal_thread.hpp>
-#include <xmlrpcpp/XmlRpcException.h>
 
 #include <condition_variable>
 #include <deque>
-#include <exception>
 #include <memory>
 #include <mutex>
 #include <thread>
@@ -100,15 +99,8 @@ void keepService(const std::string& name) { detail::MasterWatch::instance().addS
 void dropService(const std::string& name) { detail::MasterWatch::instance().removeService(name); }
 
 bool isDone(const std::function<void()>& work, std::string& why) {
-    try {
-        work();
-        return true;
-    } catch (const std::exception& error) {
-        why = error.what();
-    } catch (const XmlRpc::XmlRpcException& error) {
-        why = error.getMessage();
-    }
-    return false;
+    why = rtt_ros::problemIn(work);
+    return why.empty();
 }
 
 }  // namespace rtt_roscomm

@@ -40,6 +40,10 @@ TEST_F(Plugins, TheProcessHasItsClock) {
     EXPECT_TRUE(call<bool>("useROSClockTopic"));
     EXPECT_FALSE(call<bool>("enableSim"));
     EXPECT_TRUE(call<bool>("useManualClock"));
+    EXPECT_EQ(call<int>("catchUpLimit"), 1000);
+    EXPECT_FALSE(call<bool>("setCatchUpLimit", -1));
+    EXPECT_TRUE(call<bool>("setCatchUpLimit", 50));
+    EXPECT_EQ(call<int>("catchUpLimit"), 50);
     for (const std::string suffix : {"", "Clock"}) {
         EXPECT_TRUE(call<bool>("enableSim" + suffix));
         EXPECT_TRUE(call<bool>("updateSimClock", ros::Time(3)));

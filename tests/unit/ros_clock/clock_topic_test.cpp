@@ -11,6 +11,17 @@
 #include <rosgraph_msgs/Clock.h>
 #include <support/ros_master.hpp>
 
+#include <chrono>
+#include <csignal>
+#include <map>
+#include <string>
+#include <thread>
+
+namespace ros::master {
+// roscpp has it, in no header that is installed.
+void init(const std::map<std::string, std::string>& remappings);
+}  // namespace ros::master
+
 namespace {
 
 using namespace oroforge::test;
@@ -128,6 +139,50 @@ TEST_F(ClockTopicTest, PausesAndJumpsBack) {
     EXPECT_TRUE(disable_sim());
     EXPECT_FALSE(enable_sim());
     c.stopForGood();
+}
+
+// At the end of the process, too, where the simulation is ended like this.
+TEST_F(ClockTopicTest, AStoppedMasterHoldsNobodyUp) {
+    beNode(false);
+    ros::param::set("/use_sim_time", true);  // roscpp has no subscription of its own, so ours is the last one
+    enable();
+    publishAndWait(10 * kMs);
+    master.send(SIGSTOP);
+    usleep(100000);  // until all of its threads have stopped
+    const auto begin = std::chrono::steady_clock::now();
+    std::thread other([] { EXPECT_TRUE(disable_sim()); });
+    EXPECT_TRUE(disable_sim());
+    other.join();
+    EXPECT_TRUE(RTT::os::TimeService::Instance()->systemClockEnabled());
+    EXPECT_FALSE(enable_sim());
+    EXPECT_TRUE(use_manual_clock());
+    EXPECT_TRUE(enable_sim());
+    EXPECT_TRUE(disable_sim());
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(6));
+    master.send(SIGCONT);
+    ASSERT_TRUE(use_ros_clock_topic());
+    ASSERT_TRUE(eventually([] { return enable_sim(); }));
+    ASSERT_TRUE(eventually([&] {
+        publish(20 * kMs);
+        return simulated() == 20 * kMs;
+    }));
+    EXPECT_TRUE(disable_sim());
+    EXPECT_TRUE(eventually([&] { return clock_.getNumSubscribers() == 0; }));
+}
+
+// As plugin rosnode ends it: with a master that refuses connections.
+TEST_F(ClockTopicTest, TheNodeEndsWhileTheMasterIsStopped) {
+    beNode(false);
+    ros::param::set("/use_sim_time", true);
+    enable();
+    master.send(SIGSTOP);
+    usleep(100000);
+    const auto begin = std::chrono::steady_clock::now();
+    EXPECT_TRUE(disable_sim());
+    ros::master::init({{"__master", "http://127.0.0.1:1/"}});
+    ros::shutdown();
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(6));
+    master.send(SIGCONT);
 }
 
 }  // namespace

@@ -3,8 +3,6 @@
 // When activities execute.
 #include "clock_test.hpp"
 
-#include <rtt_rosclock/rtt_rosclock_sim_clock_activity_manager.h>
-
 #include <stdexcept>
 
 namespace {
@@ -52,21 +50,6 @@ TEST_F(Schedule, WhatAStepMissesIsCaughtUpInOrderOfTime) {
                                                        {'b', 30}, {'a', 40}, {'b', 40}};
     EXPECT_EQ(all, expected);  // a was created first
     EXPECT_EQ(simulated(), 45 * kMs);
-}
-
-TEST_F(Schedule, AJumpExecutesOnce) {
-    Recorder r, slow;
-    SimClockActivity a(0.01, &r), b(1.0, &slow);
-    ASSERT_TRUE(a.start() && b.start());
-    ASSERT_TRUE(update(10 * kMs) && update(5000 * kMs) && update(5010 * kMs));
-    EXPECT_EQ(r.at, (std::vector<nsecs>{10 * kMs, 5000 * kMs, 5010 * kMs}));
-    EXPECT_EQ(slow.at, (std::vector<nsecs>{5000 * kMs}));
-    r.at.clear();
-    ASSERT_TRUE(update(6010 * kMs));  // as often as is caught up
-    EXPECT_EQ(r.at.size(), static_cast<std::size_t>(rtt_rosclock::SimClockActivityManager::kMostMissed));
-    r.at.clear();
-    ASSERT_TRUE(update(4294967295ll * 1000000000 + 999999999));
-    EXPECT_EQ(r.at.size(), 1u);
 }
 
 TEST_F(Schedule, BackwardsDueTimesAreSetAnew) {

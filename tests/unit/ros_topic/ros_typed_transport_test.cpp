@@ -22,7 +22,7 @@ namespace {
 struct Speed {
     double value = 0;
 };
-std::atomic<bool> mustThrow{false}, mustWait{false};
+std::atomic<bool> mustThrow{false}, mustWait{false}, isWaiting{false};
 
 }  // namespace
 
@@ -33,6 +33,7 @@ struct RosMessageAdapter<Speed> {
     typedef std_msgs::Float64 RosType;
     static RosType toRos(const OrocosType& speed) {
         if (mustThrow) throw std::runtime_error("no message for this");
+        isWaiting = mustWait.load();
         while (mustWait) std::this_thread::sleep_for(std::chrono::milliseconds(1));
         RosType message;
         message.data = speed.value * 3.6;
@@ -131,9 +132,15 @@ TEST(RosTypedTransport, ASlowAdapterDelaysNoOtherAfterTheFirstTime) {
     }));
     mustWait = true;
     out.write(Speed());
+    ASSERT_TRUE(soon([] { return isWaiting.load(); }));
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
     mustWait = false;
-    ASSERT_TRUE(soon([&] { return seen.read(speed) == RTT::NewData; }));
+    // The last one of the time before may still come.
+    ASSERT_TRUE(soon([&] {
+        double value = 0;
+        other.write(0);
+        return in.read(value) == RTT::NewData;
+    }));
     mustWait = true;
     for (int i = 0; i != 20; ++i) {
         out.write(Speed());
