@@ -3,7 +3,9 @@
 // The service `ros.clock` of the process.
 #include <rtt_rosclock/rtt_rosclock.h>
 
+#include <rtt/plugin/PluginLoader.hpp>
 #include <rtt/plugin/ServicePlugin.hpp>
+#include <rtt/types/Types.hpp>
 
 #include <string>
 
@@ -56,6 +58,8 @@ ORO_PLUGIN_C_LINKAGE_BEGIN_
 RTT_EXPORT bool loadRTTPlugin(RTT::TaskContext* component);
 RTT_EXPORT bool loadRTTPlugin(RTT::TaskContext* component) {
     if (component) return false;
+    // Scripts get and give values of the type `time`.
+    if (!RTT::types::Types()->type("time")) RTT::plugin::PluginLoader::Instance()->loadTypekit("rtt_ros");
     const RTT::Service::shared_ptr ros = RTT::internal::GlobalService::Instance()->provides("ros");
     return ros->hasService("clock") ||
            ros->addService(RTT::Service::shared_ptr(new rtt_rosclock::RosClockService(nullptr)));
