@@ -2,13 +2,9 @@
 // Copyright Oroforge contributors
 #include "action_node.hpp"
 
-#include <ros/init.h>
-#include <ros/spinner.h>
 #include <rtt/plugin/PluginLoader.hpp>
 #include <rtt/types/TemplateTypeInfo.hpp>
 #include <rtt_roscomm/rtt_rostopic_ros_msg_transporter.hpp>
-
-#include <thread>
 
 namespace action_test {
 
@@ -32,28 +28,6 @@ void addTypes() {
     addType<actionlib::TestActionGoal>();
     addType<actionlib::TestActionResult>();
     addType<actionlib::TestActionFeedback>();
-}
-
-Node::Node() {
-    ros::init(ros::M_string(), "tester", ros::init_options::NoSigintHandler);
-    ros::start();
-    spinner_ = std::make_unique<ros::AsyncSpinner>(2);
-    spinner_->start();
-    addTypes();
-}
-
-Node::~Node() {
-    spinner_->stop();
-    ros::shutdown();
-}
-
-bool soon(const std::function<bool()>& condition, std::chrono::milliseconds limit) {
-    const auto end = std::chrono::steady_clock::now() + limit;
-    while (!condition()) {
-        if (std::chrono::steady_clock::now() > end) return false;
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-    return true;
 }
 
 Worker::Worker(const std::string& name) : TaskContext(name), server(provides(), 0.05) {

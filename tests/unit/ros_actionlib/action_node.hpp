@@ -3,40 +3,25 @@
 #ifndef OROFORGE_TESTS_ROS_ACTIONLIB_ACTION_NODE_HPP
 #define OROFORGE_TESTS_ROS_ACTIONLIB_ACTION_NODE_HPP
 
+#include "../ros_topic/plain_node.hpp"
+
 #include <actionlib/TestAction.h>
 #include <rtt/TaskContext.hpp>
 #include <rtt_actionlib/rtt_simple_action_server.h>
-#include <support/ros_master.hpp>
-
-#include <chrono>
-#include <functional>
-#include <memory>
-
-namespace ros {
-class AsyncSpinner;
-}
 
 namespace action_test {
 
 using oroforge::test::RosMaster;
+using ros_test::soon;
 
 /** Registers the messages of actionlib::TestAction, with their transport. */
 void addTypes();
 
-/** Makes this process the node /tester of a master of its own. */
-class Node {
+/** A node for whose process these types are registered. */
+class Node : public ros_test::PlainNode {
 public:
-    Node();
-    ~Node();
-    RosMaster& master() { return master_; }
-
-private:
-    RosMaster master_;
-    std::unique_ptr<ros::AsyncSpinner> spinner_;
+    Node() { addTypes(); }
 };
-
-/** True as soon as `condition` is. */
-bool soon(const std::function<bool()>& condition, std::chrono::milliseconds limit = std::chrono::seconds(10));
 
 /** Accepts each goal. A goal of 1 succeeds at once, with the result 2 and the feedback 3; others wait for what the test
     does, or for their cancellation, which has the result 7. */

@@ -3,15 +3,12 @@
 #include "reconfigure_fixture.hpp"
 
 #include <dynamic_reconfigure/Reconfigure.h>
-#include <ros/init.h>
 #include <ros/service.h>
-#include <ros/spinner.h>
 #include <ros/topic.h>
 #include <rtt/plugin/PluginLoader.hpp>
 
 #include <sstream>
 #include <stdexcept>
-#include <thread>
 
 namespace reconfigure_test {
 
@@ -19,28 +16,6 @@ void load() {
     RTT::plugin::PluginLoader::Instance()->loadLibrary(RTT_TYPEKIT_FILE);
     RTT::plugin::PluginLoader::Instance()->loadLibrary(SCRIPTING_FILE);
     RTT::plugin::PluginLoader::Instance()->loadLibrary(RECONFIGURE_SERVICE_FILE);
-}
-
-Node::Node() {
-    ros::init(ros::M_string(), "tester", ros::init_options::NoSigintHandler);
-    ros::start();
-    spinner_ = std::make_unique<ros::AsyncSpinner>(4);
-    spinner_->start();
-    load();
-}
-
-Node::~Node() {
-    spinner_->stop();
-    ros::shutdown();
-}
-
-bool soon(const std::function<bool()>& condition, std::chrono::milliseconds limit) {
-    const auto end = std::chrono::steady_clock::now() + limit;
-    while (!condition()) {
-        if (std::chrono::steady_clock::now() > end) return false;
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-    return true;
 }
 
 namespace {

@@ -3,26 +3,21 @@
 #ifndef OROFORGE_TESTS_ROS_RECONFIGURE_RECONFIGURE_FIXTURE_HPP
 #define OROFORGE_TESTS_ROS_RECONFIGURE_RECONFIGURE_FIXTURE_HPP
 
+#include "../ros_topic/plain_node.hpp"
+
 #include <dynamic_reconfigure/Config.h>
 #include <dynamic_reconfigure/ConfigDescription.h>
 #include <rtt/TaskContext.hpp>
 #include <rtt_dynamic_reconfigure/auto_config.h>
-#include <support/ros_master.hpp>
 
-#include <chrono>
-#include <functional>
-#include <memory>
 #include <string>
-
-namespace ros {
-class AsyncSpinner;
-}
 
 namespace reconfigure_test {
 
 using dynamic_reconfigure::Config;
 using dynamic_reconfigure::ConfigDescription;
 using oroforge::test::RosMaster;
+using ros_test::soon;
 using rtt_dynamic_reconfigure::AutoConfig;
 using rtt_dynamic_reconfigure::Server;
 using rtt_dynamic_reconfigure::ServerBase;
@@ -30,19 +25,11 @@ using rtt_dynamic_reconfigure::ServerBase;
 /** Loads the plugins. */
 void load();
 
-/** Makes this process the node /tester of a master of its own. */
-class Node {
+/** A node whose process has loaded them. */
+class Node : public ros_test::PlainNode {
 public:
-    Node();
-    ~Node();
-    RosMaster& master() { return master_; }
-
-private:
-    RosMaster master_;
-    std::unique_ptr<ros::AsyncSpinner> spinner_;
+    Node() : PlainNode(4) { load(); }
 };
-
-bool soon(const std::function<bool()>& condition, std::chrono::milliseconds limit = std::chrono::seconds(10));
 
 /** A request with one value. */
 Config a(const std::string& name, bool value);

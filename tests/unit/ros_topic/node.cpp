@@ -2,8 +2,6 @@
 // Copyright Oroforge contributors
 #include "node.hpp"
 
-#include <ros/init.h>
-#include <ros/spinner.h>
 #include <rtt/plugin/PluginLoader.hpp>
 #include <rtt_roscomm/message_table.hpp>
 #include <std_msgs/Bool.h>
@@ -11,8 +9,6 @@
 #include <std_msgs/Float64MultiArray.h>
 #include <std_msgs/Int32.h>
 #include <std_msgs/String.h>
-
-#include <thread>
 
 namespace ros_test {
 
@@ -34,28 +30,8 @@ void addTransports() {
 }  // namespace
 
 Node::Node() {
-    ros::M_string remappings;
-    remappings["old_name"] = "new_name";
-    ros::init(remappings, "tester", ros::init_options::NoSigintHandler);
-    ros::start();
-    spinner_ = std::make_unique<ros::AsyncSpinner>(2);
-    spinner_->start();
     RTT::plugin::PluginLoader::Instance()->loadLibrary(RTT_TYPEKIT_FILE);
     addTransports();
-}
-
-Node::~Node() {
-    spinner_->stop();
-    ros::shutdown();
-}
-
-bool soon(const std::function<bool()>& condition, std::chrono::milliseconds limit) {
-    const auto end = std::chrono::steady_clock::now() + limit;
-    while (!condition()) {
-        if (std::chrono::steady_clock::now() > end) return false;
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-    return true;
 }
 
 }  // namespace ros_test

@@ -3,32 +3,15 @@
 #ifndef OROFORGE_TESTS_ROS_TOPIC_NODE_HPP
 #define OROFORGE_TESTS_ROS_TOPIC_NODE_HPP
 
-#include <support/ros_master.hpp>
-
-#include <chrono>
-#include <functional>
-#include <memory>
-
-namespace ros {
-class AsyncSpinner;
-}
+#include "plain_node.hpp"
 
 namespace ros_test {
 
-/** Makes this process the node /tester of a master of its own, and gives some plain types the transport of topics. */
-class Node {
+/** A node for whose process some plain types have the transport of topics. */
+class Node : public PlainNode {
 public:
     Node();
-    ~Node();
-    oroforge::test::RosMaster& master() { return master_; }
-
-private:
-    oroforge::test::RosMaster master_;
-    std::unique_ptr<ros::AsyncSpinner> spinner_;
 };
-
-/** True as soon as `condition` is. */
-bool soon(const std::function<bool()>& condition, std::chrono::milliseconds limit = std::chrono::seconds(10));
 
 }  // namespace ros_test
 
