@@ -7,7 +7,7 @@
 
 namespace rtt_roscomm::detail {
 
-/** What the publish activity visits when it has something to send. Counted: who queues it holds it. */
+/** What the publish activity visits when it has something to send. Counted: a list holds what is in it. */
 class DuePublisher {
 public:
     DuePublisher() = default;

@@ -17,7 +17,7 @@ struct TopicState {
     unsigned peers = 0;
 };
 
-/** An end of a topic that is open, for those who look from outside. While there is one, the master is watched. */
+/** An end of a topic that is open, for what looks at it from outside. While there is one, the master is watched. */
 class OpenTopic {
 public:
     OpenTopic(const OpenTopic&) = delete;
