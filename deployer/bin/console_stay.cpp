@@ -3,6 +3,7 @@
 #include "console_stay.hpp"
 
 #include "../console/kept_terminal.hpp"
+#include "../console/wanted.hpp"
 
 #include <ocl/TaskBrowser.hpp>
 #include <rtt/Logger.hpp>

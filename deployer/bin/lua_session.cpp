@@ -3,8 +3,8 @@
 #include "lua_session.hpp"
 
 #include "../console/interrupts.hpp"
-#include "../console/kept_terminal.hpp"
 #include "../console/line_source.hpp"
+#include "../console/wanted.hpp"
 #include "../lua/interpreter.hpp"
 #include "lua_prompt.hpp"
 

@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include "program.hpp"
 
+#include "../console/wanted.hpp"
 #include "../deployment/lenient.hpp"
 #include "crash_report.hpp"
 #include "explain.hpp"
@@ -69,8 +70,9 @@ void announceEnd() {
     (void)written;
 }
 
-/** A program that another one starts, such as roslaunch, may not be in the folder that its user has in mind. */
+/** A program that roslaunch has started is not in the folder that its user has in mind. */
 void tellFolder(const std::string& file, const Options& options) {
+    if (console::isWanted()) return;
     std::error_code error;
     const std::filesystem::path here = std::filesystem::current_path(error);
     if (error || options.format != oroforge::report::Format::Text || std::filesystem::path(file).is_absolute() ||

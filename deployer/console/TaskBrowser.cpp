@@ -8,6 +8,7 @@
 #include "kept_terminal.hpp"
 #include "line_editor.hpp"
 #include "table.hpp"
+#include "wanted.hpp"
 
 #include <rtt/os/SignalCatcher.hpp>
 

@@ -70,12 +70,6 @@ void onStop(int signal, siginfo_t*, void*) {
 
 }  // namespace
 
-bool isWanted() {
-    const char* const none = std::getenv("ORO_NO_CONSOLE");
-    if (none && *none) return false;
-    return !isatty(STDIN_FILENO) || tcgetsid(STDIN_FILENO) >= 0;
-}
-
 bool maySetTerminal() {
     const int error = errno;
     const pid_t group = tcgetpgrp(STDIN_FILENO);

@@ -8,10 +8,6 @@
 
 namespace OCL::console {
 
-/** False if nobody types and no commands come: standard input is a terminal that controls another session, as under
-    roslaunch, whose user types for another program; or ORO_NO_CONSOLE is set and not empty. */
-bool isWanted();
-
 /**
  * Saves the mode of the terminal of standard input before a line editor changes it, and restores it in the destructor,
  * at exit(), in a crash or at another signal that ends the process, and while Ctrl-Z stops the process. It cannot do so
