@@ -12,6 +12,7 @@
 #include <boost/core/demangle.hpp>
 
 #include <algorithm>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -53,6 +54,8 @@ bool hasTypekit(const fs::path& package, const std::type_info& type) {
 /** The packages on the search path whose typekits have the type. */
 std::vector<std::string> packagesWith(const std::type_info& type) {
     std::set<std::string> names;
+    // Plain types are the runtime's own; their names, one letter, may be anywhere in a library.
+    if (std::strlen(type.name()) == 1) return {};
     for (const fs::path folder : directoriesIn(RTT::ComponentLoader::Instance()->getComponentPath()))
         for (const fs::path& base : {folder, folder / OROCOS_TARGET_NAME})
             for (const fs::path& package : entriesOf(base))

@@ -99,8 +99,9 @@ void keepService(const std::string& name) { detail::MasterWatch::instance().addS
 void dropService(const std::string& name) { detail::MasterWatch::instance().removeService(name); }
 
 bool isDone(const std::function<void()>& work, std::string& why) {
-    why = rtt_ros::problemIn(work);
-    return why.empty();
+    const std::string problem = rtt_ros::problemIn(work);
+    if (!problem.empty()) why = problem;
+    return problem.empty();
 }
 
 }  // namespace rtt_roscomm

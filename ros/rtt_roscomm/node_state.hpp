@@ -28,7 +28,7 @@ void endWithMasterLater(std::function<void()> work);
 void keepService(const std::string& name);
 void dropService(const std::string& name);
 
-/** Executes `work`. False, with the text of what it throws in `why`. */
+/** Executes `work`. False, with the text of what it throws in `why`, which is unchanged otherwise. */
 bool isDone(const std::function<void()>& work, std::string& why);
 
 }  // namespace rtt_roscomm

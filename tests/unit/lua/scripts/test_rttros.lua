@@ -1,13 +1,14 @@
 -- SPDX-License-Identifier: Apache-2.0
 -- Copyright Oroforge contributors
--- rttros without ROS, and with a stand-in for its service.
+-- rttros, and with a stand-in for its service.
 local check = require("check")
 local rttros = require("rttros")
 require("rttlib")
 
 local path, why = rttros.find_rospack("some_package")
 check.equal(false, path)
-check.has("rtt_rospack", why)
+-- With ROS, rtt_rospack finds no such package; without, there is no rtt_rospack.
+check.yes(why:find("rtt_rospack", 1, true) or why:find("no ROS package 'some_package'", 1, true), why)
 check.yes(rttros.rospack_find == rttros.find_rospack)
 check.fails("text", rttros.find_rospack)
 
