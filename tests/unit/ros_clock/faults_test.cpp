@@ -70,10 +70,10 @@ TEST_F(Faults, AnActivityThatStopsTheThreadReleasesTheOneThatWaits) {
 
 TEST_F(Faults, AStopOfTheThreadReleasesAllThatWait) {
     const auto thread = SimClockThread::Instance();
-    Recorder r;
-    SimClockActivity a(0.01, &r);
     std::atomic<bool> entered{false}, leave{false};
     std::atomic<int> refused{0};
+    Recorder r;
+    SimClockActivity a(0.01, &r);
     r.onStep = [&] {
         entered = true;
         eventually([&] { return leave.load(); });

@@ -86,9 +86,9 @@ TEST_F(ManualClock, AnActivityMayMoveTheTimeAndEndIt) {
 }
 
 TEST_F(ManualClock, EndingItReleasesTheThreadThatWaits) {
+    std::atomic<bool> entered{false}, leave{false};
     Recorder r;
     SimClockActivity a(0.01, &r);
-    std::atomic<bool> entered{false}, leave{false};
     r.onStep = [&] {
         entered = true;
         eventually([&] { return leave.load(); });
