@@ -91,8 +91,8 @@ private:
         if (bridge_.isClient()) (void)bridge_.cancelOutput().write(id);
     }
 
-    // All of them in the order in which a server writes them, whichever port is told first: after the result a goal has
-    // no feedback.
+    // Takes the messages in the order in which a server writes them, whichever port signals first: after its result, a
+    // goal has no feedback.
     void arrived() {
         for (;;) {
             const ActionFeedbackPtr feedback(new ActionFeedback);

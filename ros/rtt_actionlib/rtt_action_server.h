@@ -181,7 +181,7 @@ private:
     }
 
     void arrived(RTT::base::PortInterface* port) {
-        // A goal comes before its own cancel request, whichever of the two ports is told first.
+        // A goal comes before its own cancel request, whichever of the two ports signals first.
         RTT::InputPort<ActionGoal>& goals = bridge_.template goalInput<ActionSpec>();
         for (;;) {
             const boost::shared_ptr<ActionGoal> goal(new ActionGoal);

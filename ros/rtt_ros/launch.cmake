@@ -3,7 +3,7 @@
 # Launch files, and what roslaunch and rosrun find in lib/rtt_ros: a script for each program.
 set(folder ${PROJECT_BINARY_DIR}/lib/rtt_ros)
 set(scripts "")
-# What it runs is told by its name: <program>, <program>-debug.
+# The name of a script says which program it runs: <program>, <program>-debug.
 foreach(name deployer deployer-corba deployer-debug deployer-corba-debug rttscript rttlua rttlua-tlsf rttlua-debug
     orocreate-pkg typegen orogen orogen-unregister rtt-upgrade-2.5 corba-naming-service)
   configure_file(scripts/program.in ${folder}/${name} @ONLY FILE_PERMISSIONS

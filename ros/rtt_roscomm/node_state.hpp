@@ -24,7 +24,8 @@ void endWithMaster(std::function<void()> work);
 /** The same without waiting, for a callback that roscpp executes: it waits for the callback. */
 void endWithMasterLater(std::function<void()> work);
 
-/** A master that was started anew is told of this service, by its resolved name, until it is dropped. */
+/** This process registers the service, by its resolved name, with each master that was started anew, until
+    dropService(). */
 void keepService(const std::string& name);
 void dropService(const std::string& name);
 
