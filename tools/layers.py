@@ -46,6 +46,7 @@ LAYER_OF = {
     "deployer/reporting/": "reporting",
     "deployer/logging/": "logging",
     "deployer/components/": "components",
+    "deployer/chain/": "chain",
     "deployer/rt_check/": "rt_check",
     "deployer/bin/": "bin",
     "generator/model/": "model",
@@ -111,8 +112,9 @@ MAY_INCLUDE = {
     "reporting": DEPLOYER,
     "logging": DEPLOYER,
     "components": DEPLOYER,
+    "chain": DEPLOYER,
     "rt_check": set(),                      # preloaded: it must not bring the runtime along
-    "bin": DEPLOYER | {"deployment", "console", "lua", "reporting", "logging", "components", "rt_check", "corba", "report"},
+    "bin": DEPLOYER | {"deployment", "console", "lua", "reporting", "logging", "components", "chain", "rt_check", "corba", "report"},
     "model": {"diag"},
     "manifest": LEAFS | {"model"},
     "adapters": LEAFS,
@@ -147,6 +149,8 @@ FOREIGN = {
     r"(omniORB4/|omniORB\.h|omnithread\.h|omniOR|CORBA\.h)": ["runtime/rtt/transports/corba/", "tests/unit/corba/"],
     r"mqueue\.h": ["runtime/rtt/transports/mqueue/", "deployer/rt_check/", "tests/unit/transports/", "bench/"],
     r"(lua5\.\d/)?(lua|lauxlib|lualib)\.h(pp)?": ["deployer/lua/"],
+    r"log4cpp/": ["deployer/logging/", "deployer/ocl/", "deployer/bin/", "tests/unit/logging/", "bench/"],
+    r"netcdf(\.h|_)": ["deployer/reporting/", "tests/unit/components/"],
     r"(histedit\.h|editline/|readline/)": ["deployer/console/"],
     r"(ros|roscpp|tf2?|actionlib|dynamic_reconfigure)/": ["ros/", "tests/unit/ros_", "bench/ros_"],
     # Of the runtime, what stays out of components and their libraries.
@@ -171,7 +175,7 @@ def shared_headers():
 INSTALLED = ["runtime/rtt/", "deployer/ocl/"]
 NOT_INSTALLED = ["runtime/cpf/", "runtime/diag/", "runtime/files/", "runtime/report/", "runtime/xml/", "runtime/rtt/typekit/detail/", "deployer/deployment/",
                  "deployer/console/", "deployer/lua/", "deployer/reporting/", "deployer/logging/",
-                 "deployer/components/", "deployer/rt_check/", "deployer/bin/", "generator/", "typekit_gen/",
+                 "deployer/components/", "deployer/chain/", "deployer/rt_check/", "deployer/bin/", "generator/", "typekit_gen/",
                  *shared_headers()]
 
 # Headers that include each other in a circle, because users get all of them from each: the classes of one circle refer
