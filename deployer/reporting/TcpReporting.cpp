@@ -48,6 +48,7 @@ bool TcpReporting::hasGoodLimits() const {
     const char* wrong = nullptr;
     if (maxClients_ == 0) wrong = "max_clients is 0; write how many clients there may be";
     if (maxLine_ < kShortestLine) wrong = "max_line is less than 32, which commands need";
+    if (maxBacklog_ == 0) wrong = "max_backlog is 0; write how many bytes may wait for a client";
     if (wrong) log(RTT::Error) << "'" << getName() << "' cannot start: the property " << wrong << endlog();
     return !wrong;
 }

@@ -133,6 +133,9 @@ TEST_F(TcpReports, RefusesImpossibleProperties) {
     property<unsigned int>("max_line") = 3;
     EXPECT_FALSE(reporter->start());
     property<unsigned int>("max_line") = 100;
+    property<unsigned int>("max_backlog") = 0;
+    EXPECT_FALSE(reporter->start());
+    property<unsigned int>("max_backlog") = 100000;
     EXPECT_EQ(0u, port());
     EXPECT_TRUE(reporter->start());
     EXPECT_NE(0u, port());
