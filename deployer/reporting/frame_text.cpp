@@ -5,6 +5,7 @@
 #include "record.hpp"
 #include "row_text.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace OCL::reporting {
@@ -16,18 +17,22 @@ void append(Text& text, std::string_view more) { text.insert(text.end(), more.be
 
 bool isControl(char c) { return (static_cast<unsigned char>(c) < 0x20U && c != '\t') || c == '\x7f'; }
 
-void appendOneLine(Text& text, std::string_view value) {
+void appendControl(Text& text, char c) {
     constexpr char kDigits[] = "0123456789abcdef";
-    for (const char c : value) {
-        if (!isControl(c)) {
-            text.push_back(c);
-        } else if (c == '\n' || c == '\r') {
-            append(text, c == '\n' ? "\\n" : "\\r");
-        } else {
-            append(text, "\\x");
-            text.push_back(kDigits[static_cast<unsigned char>(c) >> 4U]);
-            text.push_back(kDigits[static_cast<unsigned char>(c) & 0xfU]);
-        }
+    if (c == '\n' || c == '\r') return append(text, c == '\n' ? "\\n" : "\\r");
+    append(text, "\\x");
+    text.push_back(kDigits[static_cast<unsigned char>(c) >> 4U]);
+    text.push_back(kDigits[static_cast<unsigned char>(c) & 0xfU]);
+}
+
+void appendOneLine(Text& text, std::string_view value) {
+    while (!value.empty()) {
+        const auto* const control = std::find_if(value.begin(), value.end(), isControl);
+        const std::size_t plain = static_cast<std::size_t>(control - value.begin());
+        append(text, value.substr(0, plain));
+        if (plain == value.size()) return;
+        appendControl(text, value[plain]);
+        value.remove_prefix(plain + 1);
     }
 }
 
