@@ -27,12 +27,16 @@ enum class Tag : unsigned char {
     Text,      ///< std::uint32_t and as many characters
     Other,     ///< const OtherValue* and the bytes of the value
     Line,      ///< as Text, but a whole line instead of a row
+    Name,      ///< as Text, but the name of the next value; only in records with names
+    End,       ///< nothing; the end of the members of a Bag, only in records with names
 };
 
 /** Encodes records, in one thread. Allocates only if a record is longer than all before. */
 class Record {
 public:
-    Record() { grow(kFirstRoom); }
+    /** @param named whether values have their names before them, so that a row can be understood without a header */
+    explicit Record(bool named = false) : named_(named) { grow(kFirstRoom); }
+    bool named() const { return named_; }
     /** Makes room for records of that size. */
     void expect(std::size_t size) {
         if (size > static_cast<std::size_t>(end_ - begin_.get())) grow(size);
@@ -78,6 +82,7 @@ private:
         end_ = begin_.get() + 2 * needed;
     }
 
+    bool named_;
     std::unique_ptr<char[]> begin_;
     char* at_ = nullptr;
     char* end_ = nullptr;

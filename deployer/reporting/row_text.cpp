@@ -44,9 +44,12 @@ void appendNumber(Text& text, T value, Format... format) {
 
 void appendReal(Text& text, double value, int digits) { appendNumber(text, value, std::chars_format::general, digits); }
 
+}  // namespace
+
 void appendValue(Text& text, Tag tag, RecordReader& record, int digits) {
     switch (tag) {
-        case Tag::Bag: return;
+        case Tag::Bag:
+        case Tag::End: return;
         case Tag::Bool: return text.push_back(record.value<bool>() ? '1' : '0');
         case Tag::Char: return appendOneLine(text, std::string_view(record.bytes(1), 1));
         case Tag::Signed: return appendNumber(text, record.value<std::int64_t>());
@@ -58,11 +61,10 @@ void appendValue(Text& text, Tag tag, RecordReader& record, int digits) {
             const OtherValue* const other = record.value<const OtherValue*>();
             return appendText(text, other->text(record.bytes(other->size())));
         }
-        case Tag::Line: return append(text, record.text());
+        case Tag::Line:
+        case Tag::Name: return append(text, record.text());
     }
 }
-
-}  // namespace
 
 void appendRow(Text& text, const char* record, std::size_t size, int digits) {
     RecordReader reader(record, size);

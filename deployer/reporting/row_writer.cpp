@@ -3,7 +3,6 @@
 #include "row_writer.hpp"
 
 #include "record.hpp"
-#include "row_text.hpp"
 
 #include <rtt/Logger.hpp>
 
@@ -102,7 +101,7 @@ void RowWriter::waitForRows() {
 
 void RowWriter::writeAll() {
     while (queue_.pop(record_)) {
-        appendRow(text_, record_.data(), record_.size(), digits_);
+        target_->format(text_, record_.data(), record_.size(), digits_);
         ++rows_;
         if (text_.size() >= kChunk) writeOut();
     }
@@ -110,7 +109,10 @@ void RowWriter::writeAll() {
 }
 
 void RowWriter::writeOut() {
-    if (text_.empty()) return;
+    if (text_.empty()) {
+        rows_ = 0;
+        return;
+    }
     const std::string error = failed_ ? std::string() : target_->write(text_.data(), text_.size());
     if (!error.empty()) {
         RTT::log(RTT::Error) << "could not write to " << target_->name() << ": " << error

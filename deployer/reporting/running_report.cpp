@@ -35,7 +35,7 @@ std::size_t roomFor(std::size_t row) {
 
 RunningReport::RunningReport(const Sources& sources, const ReportOptions& options, std::unique_ptr<TextTarget> target,
                              const std::vector<Marshallers>& marshallers)
-    : options_(options), marshallers_(marshallers) {
+    : options_(options), marshallers_(marshallers), record_(target && target->wantsNames()) {
     entries_.reserve(sources.size());
     for (const std::shared_ptr<Source>& source : sources) {
         source->prepare();  // the columns depend on the size of sequences
@@ -44,10 +44,17 @@ RunningReport::RunningReport(const Sources& sources, const ReportOptions& option
     if (target) {
         encodeRow(0.0);
         record_.expect(2 * record_.size());
+        target->begin(names());
         writer_.reset(new RowWriter(options.component + ".Writer", std::move(target), roomFor(record_.size()),
                                     options.digits, options.onFailure));
     }
     if (options.header) writeHeader();
+}
+
+std::vector<std::string> RunningReport::names() const {
+    std::vector<std::string> result{kTimeStamp};
+    for (const Entry& entry : entries_) result.push_back(entry.source->name());
+    return result;
 }
 
 bool RunningReport::read() {
@@ -82,6 +89,7 @@ bool RunningReport::hasChanged(Entry& entry) {
 
 void RunningReport::encodeRow(double time) {
     record_.clear();
+    if (record_.named()) record_.text(Tag::Name, kTimeStamp);
     record_.value(Tag::Real, time);
     for (Entry& entry : entries_)
         if (entry.wanted) otherColumns_ |= entry.tree.encode(record_);
@@ -97,7 +105,7 @@ void RunningReport::writeRow() {
     }
     if (!writer_) return;
     encodeRow(time);
-    if (otherColumns_) columnsChanged();
+    if (otherColumns_ && !record_.named()) columnsChanged();
     push(record_);
 }
 
@@ -138,7 +146,7 @@ void RunningReport::push(const Record& record) {
     if (writer_->room() < room / 2) writer_->makeRoom(room);
     if (writer_->push(record) || std::exchange(everLost_, true)) return;
     RTT::log(RTT::Error) << "a row of the report of '" << options_.component
-                         << "' is lost: its file or console does not take them as fast as they come" << RTT::endlog();
+                         << "' is lost: its target does not take them as fast as they come" << RTT::endlog();
 }
 
 void RunningReport::clearPorts() {

@@ -70,6 +70,7 @@ private:
     };
     void chooseEntries();
     bool hasChanged(Entry& entry);
+    std::vector<std::string> names() const;
     void encodeRow(double time);
     void writeHeader();
     void columnsChanged();

@@ -2,6 +2,8 @@
 // Copyright Oroforge contributors
 #include "text_target.hpp"
 
+#include "row_text.hpp"
+
 #include <rtt/os/own_file.hpp>
 
 #include <cerrno>
@@ -88,6 +90,10 @@ private:
 };
 
 }  // namespace
+
+void TextTarget::format(std::vector<char>& text, const char* record, std::size_t size, int digits) {
+    appendRow(text, record, size, digits);
+}
 
 std::unique_ptr<TextTarget> openFile(const std::string& name, std::string& error) {
     // Without O_NONBLOCK, opening a pipe would block start() until somebody reads from it.

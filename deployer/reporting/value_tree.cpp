@@ -99,6 +99,7 @@ const void* ValueTree::address() const {
 }
 
 bool ValueTree::encode(Record& record) {
+    if (record.named()) record.text(Tag::Name, name_);
     switch (kind_) {
         case Kind::Leaf: encode_(address(), record); return false;
         case Kind::Text: {
@@ -116,14 +117,14 @@ bool ValueTree::encode(Record& record) {
             const int before = std::exchange(size_, static_cast<int>(numbers_->size(vector)));
             record.tag(Tag::Bag);
             numbers_->encode(vector, record);
-            encodeEmptiness(record);
+            encodeEnd(record);
             return size_ != before;
         }
         case Kind::Group: {
             bool changed = count_ && resize(numberIn(count_));
             record.tag(Tag::Bag);
             for (ValueTree& part : parts_) changed |= part.encode(record);
-            encodeEmptiness(record);
+            encodeEnd(record);
             return changed;
         }
         case Kind::Bag: return encodeBag(record);
@@ -154,7 +155,7 @@ bool ValueTree::encodeBag(Record& record) {
     appendNames(now);
     record.tag(Tag::Bag);
     for (ValueTree& part : parts_) (void)part.encode(record);
-    encodeEmptiness(record);
+    encodeEnd(record);
     return now != before;
 }
 
@@ -162,8 +163,11 @@ std::size_t ValueTree::elements() const {
     return kind_ == Kind::Numbers ? static_cast<std::size_t>(size_) : parts_.size();
 }
 
-void ValueTree::encodeEmptiness(Record& record) const {
-    if (elements() == 0) record.value(Tag::Unsigned, std::uint64_t{0});
+void ValueTree::encodeEnd(Record& record) const {
+    if (record.named())
+        record.tag(Tag::End);
+    else if (elements() == 0)
+        record.value(Tag::Unsigned, std::uint64_t{0});
 }
 
 void ValueTree::appendNames(std::string& line, const std::string& name) const {

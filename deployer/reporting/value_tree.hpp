@@ -57,8 +57,9 @@ private:
     bool takeMembers();
     bool currentBag(RTT::PropertyBag& bag) const;
     std::size_t elements() const;
-    /** An empty sequence has a column "name[0]", because otherwise later values would move to other columns. */
-    void encodeEmptiness(Record& record) const;
+    /** Ends the members. Without names, an empty sequence has a column "name[0]", because otherwise later values would
+        move to other columns. */
+    void encodeEnd(Record& record) const;
     /** Appends the names of the columns; a part without a name gets its number, from 1. */
     void appendNames(std::string& line, const std::string& name) const;
 
