@@ -20,7 +20,7 @@ std::string prepareCategories(const std::string& file, bool checkOnly) {
     // A failure is in the log, and components that need the categories fail.
     (void)OCL::logging::Category::installFactory();
     if (file.empty()) return {};
-    const std::string where = "log4cpp cannot be configured by '" + file + "': ";
+    const std::string where = "log4cpp cannot be configured: ";
     std::ifstream in(file);
     if (!in || (in.peek(), in.bad())) return where + std::strerror(errno);
     if (checkOnly) return {};
@@ -34,8 +34,7 @@ std::string prepareCategories(const std::string& file, bool checkOnly) {
 #else
 std::string prepareCategories(const std::string& file, bool) {
     return file.empty() ? std::string()
-                        : "there is no log4cpp to be configured by '" + file +
-                              "': this program was built without it (liblog4cpp5-dev)";
+                        : "there is no log4cpp to be configured; this program was built without it (liblog4cpp5-dev)";
 }
 #endif
 

@@ -59,9 +59,10 @@ struct Appender::Impl {
             append(self, given);
         }
     }
-    void endCycle(bool final) {
+    /** `empty`: no more events may come for long, so what was dropped is looked up now. */
+    void endCycle(bool final, bool empty = true) {
         if (lines) lines->flush();
-        dropped.look(final);
+        dropped.look(final || empty);
         dropped.report(final);
         if (lines) lost = formerLost + lines->lostEvents();
     }
@@ -155,7 +156,7 @@ void Appender::processEvents(int n) {
         impl_->append(*this);
     }
     countMaxPopped = std::max(countMaxPopped, static_cast<unsigned int>(popped));
-    impl_->endCycle(false);
+    impl_->endCycle(false, popped < most);
     if (popped == most) (void)trigger();  // there may be more
 }
 

@@ -32,9 +32,7 @@ Category::Category(const std::string& name, log4cpp::Category* parent, log4cpp::
     : log4cpp::Category(name, parent, priority),
       log_port(name),
       parent_(dynamic_cast<Category*>(parent)),
-      rtName_(name.data(), name.size()) {
-    (void)EventPool::instance();
-}
+      rtName_(name.data(), name.size()) {}
 
 Category::~Category() = default;
 
@@ -65,7 +63,7 @@ void Category::log(log4cpp::Priority::Value priority, const char* text, std::siz
     callAppenders(*event);
 }
 
-void Category::log(log4cpp::Priority::Value priority, const RTT::rt_string& message) throw() {
+void Category::log(log4cpp::Priority::Value priority, const RTT::rt_string& message) noexcept {
     log(priority, message.data(), message.size());
 }
 
@@ -73,7 +71,7 @@ void Category::log(log4cpp::Priority::Value priority, const char* message) noexc
     if (message) log(priority, message, std::strlen(message));
 }
 
-void Category::log(log4cpp::Priority::Value priority, const std::string& message) throw() {
+void Category::log(log4cpp::Priority::Value priority, const std::string& message) noexcept {
     log4cpp::Category::log(priority, message);
 }
 
@@ -92,7 +90,7 @@ void Category::callAppenders(const LoggingEvent& event) noexcept {
     }
 }
 
-void Category::_logUnconditionally(log4cpp::Priority::Value priority, const char* format, va_list arguments) throw() {
+void Category::_logUnconditionally(log4cpp::Priority::Value priority, const char* format, va_list arguments) noexcept {
     va_list again;
     va_copy(again, arguments);
     try {
@@ -112,7 +110,7 @@ void Category::_logUnconditionally(log4cpp::Priority::Value priority, const char
     va_end(again);
 }
 
-void Category::_logUnconditionally2(log4cpp::Priority::Value priority, const std::string& message) throw() {
+void Category::_logUnconditionally2(log4cpp::Priority::Value priority, const std::string& message) noexcept {
     log4cpp::Category::_logUnconditionally2(priority, message);
     log(priority, message.data(), message.size());
 }

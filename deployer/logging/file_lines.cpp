@@ -42,7 +42,16 @@ std::string FileLines::tryToOpen(bool empty) {
     const bool known = ::fstat(file_, &status) == 0;
     if (known && S_ISREG(status.st_mode)) (void)::fcntl(file_, F_SETFL, O_APPEND);
     position_ = known && S_ISREG(status.st_mode) ? static_cast<std::uint64_t>(status.st_size) : 0;
+    if (position_ > 0) endTornLine();
     return {};
+}
+
+void FileLines::endTornLine() {
+    const int file = RTT::os::detail::openOwnFile(name_.c_str(), O_RDONLY | O_NONBLOCK);
+    char last = '\n';
+    const bool torn = file >= 0 && ::pread(file, &last, 1, static_cast<off_t>(position_ - 1)) == 1 && last != '\n';
+    if (file >= 0) ::close(file);
+    if (torn && ::write(file_, "\n", 1) == 1) ++position_;
 }
 
 bool FileLines::prepare(std::string& error) {

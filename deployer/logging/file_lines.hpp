@@ -25,6 +25,8 @@ protected:
     std::string target() const override { return "file '" + name_ + "'"; }
     /** Opens the file; the reason if that fails. */
     std::string tryToOpen(bool empty = false);
+    /** Ends a line that a crash of the machine, or another program, has left without its end. */
+    void endTornLine();
     /** Reports that the file was not begun anew, once. */
     void keptOn(const std::string& reason);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 // What configure() and cleanup() of a LoggingService do with categories and appenders.
+#include "event_pool.hpp"
 #include "logging_state.hpp"
 #include "priorities.hpp"
 
@@ -146,6 +147,7 @@ bool LoggingService::Impl::connect(const std::string& name, const std::string& a
         return true;
     }
     if (!hasMemory(name)) return false;
+    (void)EventPool::instance();  // made here, before a real-time thread needs it
     try {
         if (!category->log_port.connected()) {
             LoggingEvent sample;

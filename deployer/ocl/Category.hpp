@@ -18,6 +18,10 @@ namespace logging {
 
 class LoggingService;
 
+// The formats of log4cpp::Category::log() are hidden on purpose: a '%' in a message is a '%'.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Woverloaded-virtual"
+
 /**
  * A category of log4cpp that sends its messages to appenders through a port, so that real-time threads may log:
  *
@@ -61,7 +65,7 @@ public:
     /** All messages come through this function, also those of the streams and of log4cpp's own functions: override it
         in a class of your own. Does nothing if the category's priority leaves the message out. */
     virtual void log(log4cpp::Priority::Value priority, const char* text, std::size_t size) noexcept;
-    virtual void log(log4cpp::Priority::Value priority, const RTT::rt_string& message) throw();
+    virtual void log(log4cpp::Priority::Value priority, const RTT::rt_string& message) noexcept;
     void log(log4cpp::Priority::Value priority, const char* message) noexcept;
 
 #define ORO_LOG_METHODS(name, priority)                                                              \
@@ -89,13 +93,14 @@ protected:
              log4cpp::Priority::Value priority = log4cpp::Priority::NOTSET);
 
     /** Not public: making a std::string allocates. */
-    void log(log4cpp::Priority::Value priority, const std::string& message) throw() override;
+    void log(log4cpp::Priority::Value priority, const std::string& message) noexcept override;
     using log4cpp::Category::callAppenders;
     /** Writes the event to the port and, with additivity, to those of the parents that are of this class. */
     virtual void callAppenders(const LoggingEvent& event) noexcept;
 
-    void _logUnconditionally(log4cpp::Priority::Value priority, const char* format, va_list arguments) throw() override;
-    void _logUnconditionally2(log4cpp::Priority::Value priority, const std::string& message) throw() override;
+    void _logUnconditionally(log4cpp::Priority::Value priority, const char* format,
+                             va_list arguments) noexcept override;
+    void _logUnconditionally2(log4cpp::Priority::Value priority, const std::string& message) noexcept override;
 
     Port log_port;
 
@@ -107,6 +112,8 @@ private:
     Category* const parent_;  // null if the parent is of another class
     RTT::rt_string rtName_;
 };
+
+#pragma GCC diagnostic pop
 
 }  // namespace logging
 }  // namespace OCL

@@ -16,6 +16,16 @@ namespace {
 
 using namespace logging_test;
 
+TEST_F(Appenders, ATornLineOfBeforeIsEndedFirst) {
+    folder.write("log", "whole\ntorn");
+    Stepped<OCL::logging::FileAppender> file;
+    prepare(file);
+    begin(file);
+    log("one");
+    ASSERT_TRUE(file.update());
+    EXPECT_EQ("whole\ntorn\nINFO " + name + " one\n", text());
+}
+
 TEST_F(Appenders, FullDiskIsReportedOnceAndWritingGoesOn) {
     const LogText said;
     Stepped<OCL::logging::FileAppender> file;

@@ -74,7 +74,7 @@ TEST_F(LoggingInDeployer, AnXmlFileSetsUpCategoriesAndAppenders) {
     directory_.write("app.xml", application(kFileAppender, 50));
     Command command = deployer({"-s", "app.xml"});
     command.input =
-        "logging.logCategories()\nlogging.getCategoryPriorityName(\"demo\")\n"
+        "while worker.logged() < 50 { yield }\nlogging.logCategories()\nlogging.getCategoryPriorityName(\"demo\")\n"
         "logging.setCategoryPriority(\"demo\", logging.ERROR)\nvar LoggingEvent event\nevent.message = \"by a "
         "script\"\n"
         "event\nquit\n";
@@ -117,10 +117,10 @@ TEST_F(LoggingInDeployer, AWrongPropertyFileIsAnError) {
     directory_.write("bad.properties", "log4cpp.rootCategory=LOUD, text\n");
     const Outcome bad = run(deployer({"--log4cpp-config", "bad.properties"}));
     EXPECT_EQ(255, bad.status);
-    EXPECT_THAT(bad.err, HasSubstr("log4cpp cannot be configured by 'bad.properties': "));
+    EXPECT_THAT(bad.err, HasSubstr("bad.properties: error: log4cpp cannot be configured: "));
     const Outcome none = run(deployer({"--log4cpp-config", "none.properties"}));
     EXPECT_EQ(255, none.status);
-    EXPECT_THAT(none.err, HasSubstr("log4cpp cannot be configured by 'none.properties': No such file or directory"));
+    EXPECT_THAT(none.err, HasSubstr("none.properties: error: log4cpp cannot be configured: No such file or directory"));
     directory_.write("empty.xml", "<properties/>");
     const Outcome dry = run(deployer({"--dry-run", "-s", "empty.xml", "--log4cpp-config", "none.properties"}));
     EXPECT_EQ(255, dry.status);

@@ -7,7 +7,9 @@
 
 #include <log4cpp/Category.hh>
 
+#include <atomic>
 #include <string>
+#include <unistd.h>
 
 namespace loggertest {
 
@@ -18,6 +20,7 @@ public:
           plain_(log4cpp::Category::getInstance("demo.worker")),
           category_(dynamic_cast<OCL::logging::Category*>(&plain_)) {
         addProperty("events", events_).doc("How many events the component logs; all the time if it is negative.");
+        addOperation("logged", &Worker::logged, this).doc("How many events has it logged?");
         setActivity(new RTT::Activity(ORO_SCHED_OTHER, 0, 0, 0, name));
     }
 
@@ -28,6 +31,7 @@ protected:
         return true;
     }
     void updateHook() override {
+        logged_ = next_;
         if (next_ == events_) return;
         category_->getRTStream(log4cpp::Priority::DEBUG) << "event " << next_++;
         if (next_ % 200 == 0) usleep(1000);
@@ -35,6 +39,9 @@ protected:
     }
 
 private:
+    int logged() { return logged_; }
+
+    std::atomic<int> logged_{0};
     log4cpp::Category& plain_;
     OCL::logging::Category* const category_;
     int events_ = 0, next_ = 0;
