@@ -50,6 +50,9 @@ plugins, typekits and packages of them.")
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME oroforge-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "oroforge-runtime ${same_version}, cmake (>= 3.19), g++ | c++-compiler, libboost-dev, pkg-config")
+if(TARGET orocos-ocl-logging)
+  string(APPEND CPACK_DEBIAN_DEV_PACKAGE_DEPENDS ", liblog4cpp5-dev")
+endif()
 set(CPACK_DEBIAN_DEV_PACKAGE_RECOMMENDS "oroforge-tools ${same_version}, make | ninja-build")
 
 set(CPACK_COMPONENT_TOOLS_DESCRIPTION "code generators for components of Oroforge

@@ -55,6 +55,10 @@ const struct {
     {"rt-check", Takes::Nothing,
      "tell at the end what components with a real-time scheduler allocated, locked or waited for in updateHook(); then "
      "the exit status is 255"},
+    {"log4cpp-config", Takes::Word,
+     "configure log4cpp by this property file before anything is deployed: levels of categories, and appenders of "
+     "log4cpp"},
+    {"rtt-log4cpp-config-file", Takes::Word, "the same, by its former name"},
     {"daemon,d", Takes::Nothing, "run in the background, without the console"},
     {"lock-memory", Takes::Nothing,
      "keep all memory of the process in RAM (mlockall); where that is not allowed, a warning says so, and the program "
@@ -212,6 +216,10 @@ bool takeValues(const po::variables_map& values, const std::vector<std::string>&
     options.dryRun = values.count("dry-run") != 0;
     options.strict = values.count("strict") != 0;
     options.lenient = values.count("lenient") != 0;
+    for (const char* name : {"rtt-log4cpp-config-file", "log4cpp-config"})
+        if (values.count(name)) options.categoryFile = values[name].as<std::string>();
+    if ((values.count("log4cpp-config") || values.count("rtt-log4cpp-config-file")) && options.categoryFile.empty())
+        error = "the name of the property file for log4cpp is empty";
     if (values.count("dot")) options.graphFile = values["dot"].as<std::string>();
     if (values.count("format")) {
         const std::string format = values["format"].as<std::string>();

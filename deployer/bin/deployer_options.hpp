@@ -21,6 +21,7 @@ struct Options {
     std::string siteFile;
     std::vector<std::string> files;  // in the order of deployment
     std::vector<std::string> codes;  // to explain; empty: list all
+    std::string categoryFile;        // the property file of log4cpp; empty: none
     int logLevel = -1;               // a RTT::LoggerLevel; −1: not given
     std::optional<RTT::LogTime> logTime;
     bool consoleLog = true;

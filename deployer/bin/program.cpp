@@ -4,6 +4,7 @@
 
 #include "../console/wanted.hpp"
 #include "../deployment/lenient.hpp"
+#include "categories.hpp"
 #include "crash_report.hpp"
 #include "explain.hpp"
 #include "program_report.hpp"
@@ -169,6 +170,11 @@ int runWithRuntime(std::vector<char*> words, const Options& options, const Progr
     }
     reportCrashes();
     int status = kFailure;
+    if (const std::string problem = prepareCategories(options.categoryFile, options.dryRun); !problem.empty()) {
+        report.error(options.categoryFile, problem);
+        __os_exit();
+        return kFailure;
+    }
     try {
         status = deploy(options, program, words, report);
     } catch (const std::exception& thrown) {
