@@ -40,6 +40,7 @@ LAYER_OF = {
     "ros/rtt_": "ros",
     "ros/std_msgs/": "ros",
     "deployer/ocl/": "ocl",
+    "deployer/fbsched/": "ocl",             # <fbsched/fbsched.hpp>, a kept name
     "deployer/deployment/": "deployment",
     "deployer/console/": "console",
     "deployer/lua/": "lua",

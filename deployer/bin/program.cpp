@@ -146,6 +146,7 @@ int deploy(const Options& options, const Program& program, std::vector<char*>& w
     const bool deployed =
         deployFiles(deployer, *ending, options, report) && writeGraph(deployer, options.graphFile, report);
     if (options.dryRun && deployed) printSummary(deployer);
+    if (options.endsAtOnce() && deployed) std::cout << deployer.chains() << std::flush;
     scriptEnd.reset();  // scripts of the shutdown have a limit of their own
     bool succeeded = deployed;
     if (!options.endsAtOnce()) {

@@ -2,11 +2,14 @@
 // Copyright Oroforge contributors
 // The peers of components.
 #include <rtt/TaskContext.hpp>
+#include <rtt/internal/engine/topology.hpp>
 
 #include <algorithm>
 #include <mutex>
 
 namespace RTT {
+
+std::atomic<std::uint32_t> internal::Topology::changes_{0};
 
 namespace {
 
@@ -30,6 +33,7 @@ bool TaskContext::addPeer(TaskContext* peer, std::string alias) {
     const Lock lock(peersMutex());
     if (!peers_.emplace(alias, peer).second) return false;
     peer->users_.push_back(this);
+    internal::Topology::changed();
     return true;
 }
 
@@ -48,6 +52,7 @@ void TaskContext::forgetPeer(const std::string& name) {
     if (found == peers_.end()) return;
     TaskContext* const peer = found->second;
     peers_.erase(found);
+    internal::Topology::changed();
     // One entry for each name that the peer has here.
     const auto user = std::find(peer->users_.begin(), peer->users_.end(), this);
     if (user != peer->users_.end()) peer->users_.erase(user);
@@ -103,6 +108,14 @@ TaskContext::PeerList TaskContext::getPeerList() const {
 bool TaskContext::hasPeer(const std::string& name) const {
     const Lock lock(peersMutex());
     return peers_.count(name) != 0;
+}
+
+TaskContext::PeerGates TaskContext::getPeerGates() const {
+    const Lock lock(peersMutex());  // while a peer is in the list, it is not destroyed
+    PeerGates gates;
+    gates.reserve(peers_.size());
+    for (const auto& entry : peers_) gates.emplace_back(entry.first, entry.second->engine()->gate());
+    return gates;
 }
 
 TaskContext* TaskContext::getPeer(const std::string& name) const {

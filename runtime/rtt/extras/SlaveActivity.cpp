@@ -2,8 +2,11 @@
 // Copyright Oroforge contributors
 #include <rtt/extras/SlaveActivity.hpp>
 
+#include <rtt/ExecutionEngine.hpp>
 #include <rtt/base/DisposableInterface.hpp>
+#include <rtt/base/TaskCore.hpp>
 #include <rtt/internal/engine/access_gate.hpp>
+#include <rtt/internal/engine/engine_gate.hpp>
 #include <rtt/internal/engine/presence.hpp>
 #include <rtt/internal/engine/try_flag.hpp>
 #include <rtt/os/MainThread.hpp>
@@ -252,8 +255,48 @@ void SlaveActivity::executeTrigger() {
         if (open_) work(base::RunnableInterface::Trigger);
         return;
     }
+    if (inTurn_ && awaitsTurn()) return;
     pending_ = true;
     servePending();
+}
+
+// The master's engine executes messages in two ways: at the begin of its step, and within one while a component waits.
+bool SlaveActivity::awaitsTurn() const {
+    const internal::EngineGate::Step* const step = internal::EngineGate::Step::innermost();
+    return step && step->first() && getPeriod() > 0;
+}
+
+void SlaveActivity::setInTurn(bool inTurn) {
+    inTurn_ = inTurn;
+    // The messages that awaited the turn are in the queue, so the runner finds them.
+    if (!inTurn && runner && runner->hasWork()) trigger();
+}
+
+bool SlaveActivity::serve() {
+    internal::Presence::Place* const place = enter();
+    if (!place) return false;
+    bool active = false;
+    {
+        const Leave atEnd{*this, *place};
+        active = open_;
+        if (active && runner && runner->hasWork()) work(base::RunnableInterface::Trigger);
+    }
+    if (pending_) servePending();
+    return active;
+}
+
+bool SlaveActivity::isSlaveOf(const base::ActivityInterface& master) const {
+    return masterGate_ && masterGate_ == master.gate();
+}
+
+std::string SlaveActivity::masterName() const {
+    return ofMaster(
+        [](ActivityInterface& master) {
+            auto* const engine = dynamic_cast<ExecutionEngine*>(master.getRunner());
+            const base::TaskCore* const component = engine ? engine->getTaskCore() : nullptr;
+            return component ? component->getName() : std::string();
+        },
+        std::string());
 }
 
 bool SlaveActivity::trigger() {
@@ -272,6 +315,7 @@ bool SlaveActivity::trigger() {
 }
 
 bool SlaveActivity::timeout() {
+    if (inTurn_) return open_;
     // The master cannot be destroyed in its own thread before this returns, so its destructor need not wait for the
     // execution.
     const auto isMaster = [](ActivityInterface& master) {
