@@ -42,13 +42,16 @@ private:
 
     void add(std::ostream& out, const std::string& name, const ComponentPlan& chain) const {
         const std::vector<std::string> order = orderOf(name, chain);
-        out << "chain '" << name << "': " << threadOf(chain) << "\n";
+        out << "chain '" << name << "': " << threadOf(name, chain) << "\n";
         for (std::size_t i = 0; i != order.size(); ++i) out << "  " << i + 1 << " " << order[i] << "\n";
         for (std::size_t to = 0; to != order.size(); ++to)
             for (std::size_t from = to; from != order.size(); ++from) addDelays(out, order[from], order[to]);
     }
 
-    static std::string threadOf(const ComponentPlan& chain) {
+    std::string threadOf(const std::string& name, const ComponentPlan& chain) const {
+        for (const auto& [other, component] : components_)
+            for (const Text& member : component.members)
+                if (member.value == name) return "in the thread of '" + other + "'";
         if (!chain.activity) return "a thread of its own, not periodic";
         const ActivityPlan& plan = *chain.activity;
         if (!plan.master.empty()) return "in the thread of '" + plan.master.value + "'";
