@@ -29,6 +29,7 @@ LAYER_OF = {
     # TaskContext and ExecutionEngine need these two, so they are built into core; only their paths say extras.
     "runtime/rtt/extras/SequentialActivity.": "core",
     "runtime/rtt/extras/SlaveActivity.": "core",
+    "runtime/rtt/extras/slave_master.": "core",
     "runtime/cpf/": "cpf",                  # property files; built into the library of marsh
     "runtime/rtt/encoding/": "encoding",
     "runtime/rtt/marsh/": "marsh",

@@ -2,11 +2,8 @@
 // Copyright Oroforge contributors
 #include <rtt/extras/SlaveActivity.hpp>
 
-#include <rtt/ExecutionEngine.hpp>
 #include <rtt/base/DisposableInterface.hpp>
-#include <rtt/base/TaskCore.hpp>
 #include <rtt/internal/engine/access_gate.hpp>
-#include <rtt/internal/engine/engine_gate.hpp>
 #include <rtt/internal/engine/presence.hpp>
 #include <rtt/internal/engine/try_flag.hpp>
 #include <rtt/os/MainThread.hpp>
@@ -80,6 +77,17 @@ struct SlaveActivity::Leave {
     }
 };
 
+namespace {
+/** A thread uses an object while this exists. */
+struct Use {
+    explicit Use(const void* what) : place(internal::Presence::enter(what)) {}
+    ~Use() { internal::Presence::leave(place); }
+    Use(const Use&) = delete;
+    Use& operator=(const Use&) = delete;
+    internal::Presence::Place& place;
+};
+}  // namespace
+
 SlaveActivity::SlaveActivity(base::ActivityInterface* master, base::RunnableInterface* r)
     : master_(master),
       masterGate_(master ? master->gate() : nullptr),
@@ -101,7 +109,9 @@ SlaveActivity::~SlaveActivity() {
     stop();
     // Waits for an execution that has not ended in time.
     waitForExecution(os::detail::kForever);
+    (void)internal::Presence::Waiter(&message_).wait(os::detail::kForever);
     internal::Presence::forget(this);
+    internal::Presence::forget(&message_);
     message_->disconnect();
 }
 
@@ -230,6 +240,9 @@ void SlaveActivity::servePending() {
 }
 
 bool SlaveActivity::execute() {
+    // Until this thread has looked for triggers: a component that ends itself in the execution leaves its activity to
+    // another thread, which destroys it after that.
+    const Use use(&message_);
     internal::Presence::Place* const place = enter();
     if (!place) return false;
     bool active = false;
@@ -260,12 +273,6 @@ void SlaveActivity::executeTrigger() {
     servePending();
 }
 
-// The master's engine executes messages in two ways: at the begin of its step, and within one while a component waits.
-bool SlaveActivity::awaitsTurn() const {
-    const internal::EngineGate::Step* const step = internal::EngineGate::Step::innermost();
-    return step && step->first() && getPeriod() > 0;
-}
-
 void SlaveActivity::setInTurn(bool inTurn) {
     inTurn_ = inTurn;
     // The messages that awaited the turn are in the queue, so the runner finds them.
@@ -273,6 +280,7 @@ void SlaveActivity::setInTurn(bool inTurn) {
 }
 
 bool SlaveActivity::serve() {
+    const Use use(&message_);  // as in execute()
     internal::Presence::Place* const place = enter();
     if (!place) return false;
     bool active = false;
@@ -287,16 +295,6 @@ bool SlaveActivity::serve() {
 
 bool SlaveActivity::isSlaveOf(const base::ActivityInterface& master) const {
     return masterGate_ && masterGate_ == master.gate();
-}
-
-std::string SlaveActivity::masterName() const {
-    return ofMaster(
-        [](ActivityInterface& master) {
-            auto* const engine = dynamic_cast<ExecutionEngine*>(master.getRunner());
-            const base::TaskCore* const component = engine ? engine->getTaskCore() : nullptr;
-            return component ? component->getName() : std::string();
-        },
-        std::string());
 }
 
 bool SlaveActivity::trigger() {
