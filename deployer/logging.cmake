@@ -31,6 +31,7 @@ oroforge_component_library(logging
   logging/logging_setup.cpp
   logging/origin.cpp
   logging/priorities.cpp
+  logging/runtime_log.cpp
   logging/syslog_lines.cpp)
 # By its plain name, which installed CMake files can give to others.
 target_link_libraries(orocos-ocl-logging PUBLIC log4cpp)

@@ -30,6 +30,8 @@ LoggingService::LoggingService(std::string name) : RTT::TaskContext(name, Stoppe
         .doc("How many events wait for an appender at most, for each category.");
     addProperty("MessageSize", impl_->messageSize)
         .doc("How many characters of a message each of these events has room for. Longer ones allocate.");
+    addProperty("RuntimeCategory", impl_->runtimeCategory)
+        .doc("A category that gets the lines of the runtime's log, too, such as org.orocos.rtt. Empty: none.");
     for (const NamedPriority& priority : kPriorities) addConstant(priority.name, static_cast<int>(priority.value));
 
     addOperation("logCategories", &LoggingService::logCategories, this)
@@ -57,13 +59,14 @@ bool LoggingService::configureHook() {
     bool good = impl_->checkSizes();
     good = impl_->setLevels() && good;
     good = impl_->setAdditivity() && good;
-    good = good && impl_->connectAppenders();
+    good = good && impl_->connectAppenders() && impl_->connectRuntimeLog();
     if (!good) impl_->disconnect();
     return good;
 }
 
 void LoggingService::cleanupHook() {
     const std::lock_guard<std::mutex> lock(impl_->mutex);
+    impl_->runtimeLog.reset();
     impl_->disconnect();
 }
 

@@ -114,6 +114,14 @@ bool LoggingService::Impl::connectAppenders() {
     return good;
 }
 
+bool LoggingService::Impl::connectRuntimeLog() {
+    runtimeLog.reset();
+    if (runtimeCategory.empty()) return true;
+    Category* const category = categoryOf(runtimeCategory);
+    if (category) runtimeLog.reset(new RuntimeLog(*category));
+    return category != nullptr;
+}
+
 bool LoggingService::Impl::hasMemory(const std::string& category) const {
     oro_rt_free(oro_rt_malloc(1));  // the first call makes the pool
     constexpr std::size_t kBlock = 32;

@@ -4,10 +4,13 @@
 #ifndef OROFORGE_LOGGING_LOGGING_STATE_HPP
 #define OROFORGE_LOGGING_LOGGING_STATE_HPP
 
+#include "runtime_log.hpp"
+
 #include <ocl/Category.hpp>
 #include <ocl/LoggingService.hpp>
 #include <rtt/PropertyBag.hpp>
 
+#include <memory>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -26,6 +29,7 @@ struct LoggingService::Impl {
     bool setLevels() const;
     bool setAdditivity() const;
     bool connectAppenders();
+    bool connectRuntimeLog();
 
     bool connect(const std::string& category, const std::string& appender);
     void disconnect();
@@ -36,6 +40,8 @@ struct LoggingService::Impl {
     RTT::PropertyBag levels, additivity, appenders;
     int bufferSize = 100;
     int messageSize = 200;
+    std::string runtimeCategory;
+    std::unique_ptr<RuntimeLog> runtimeLog;
     std::mutex mutex;  // guards the connections
     std::vector<Connection> connections;
 };

@@ -17,6 +17,7 @@ namespace OCL {
 namespace logging {
 
 class LoggingService;
+class RuntimeLog;
 
 // The formats of log4cpp::Category::log() are hidden on purpose: a '%' in a message is a '%'.
 #pragma GCC diagnostic push
@@ -106,6 +107,7 @@ protected:
 
 private:
     friend class LoggingService;
+    friend class RuntimeLog;
     friend class Appender;
     bool isHeard() const noexcept;
 

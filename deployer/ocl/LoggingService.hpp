@@ -19,9 +19,11 @@ namespace logging {
  *   Levels       strings named as categories: EMERG, FATAL, ALERT, CRIT, ERROR, WARN, NOTICE, INFO, DEBUG or NOTSET
  *   Additivity   booleans named as categories: do their events also go to the appenders of their parents?
  *   Appenders    strings named as categories, as often as needed: the name of an appender
+ *   RuntimeCategory   a category that gets the lines of the runtime's log (RTT::Logger), too; empty: none
  *
  * The category "" is the root of all. Categories that do not exist are made. Categories stay connected when the service
- * is stopped or destroyed; cleanup() and a second configure() disconnect them. All operations may be called from any
+ * is stopped or destroyed; cleanup() and a second configure() disconnect them. The runtime's log goes to its category
+ * until cleanup() or the end of the service. All operations may be called from any
  * thread, take locks and allocate.
  */
 class OCL_API LoggingService : public RTT::TaskContext {

@@ -6,6 +6,10 @@
 #include <rtt/Attribute.hpp>
 #include <rtt/OperationCaller.hpp>
 
+#include <chrono>
+#include <ctime>
+#include <thread>
+
 namespace {
 
 using namespace logging_test;
@@ -112,6 +116,39 @@ TEST_F(Service, CategoriesStayConnectedWithoutTheService) {
     service.reset(new OCL::logging::LoggingService("service"));
     category("stays").error("x");
     EXPECT_THAT(listener.messages(), ElementsAre("x"));
+}
+
+TEST_F(Service, TheLogOfTheRuntimeGoesToACategory) {
+    const LogText log;
+    Listener listener;
+    connect("of.runtime", listener);
+    entry<std::string>(*service, "Levels", "of.runtime", "WARN");
+    property<std::string>(*service, "RuntimeCategory") = "of.runtime";
+    ASSERT_TRUE(service->configure());
+    const auto say = [](const char* text) {
+        const RTT::Logger::In in("robot");
+        RTT::log(RTT::Info) << "not for a category of this level" << RTT::endlog();
+        RTT::log(RTT::Warning) << text << RTT::endlog();
+    };
+    say("the gripper is hot");
+    ASSERT_TRUE(service->cleanup());  // waits for the line
+    EXPECT_THAT(listener.messages(), ElementsAre());
+    connect("of.runtime", listener);
+    ASSERT_TRUE(service->configure());
+    say("the gripper is hot");
+    std::vector<std::string> messages;
+    for (int i = 0; messages.empty() && i < 500; ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        messages = listener.messages();
+    }
+    EXPECT_THAT(messages, ElementsAre("the gripper is hot"));
+    EXPECT_EQ("robot", listener.last.ndc);
+    EXPECT_EQ(log4cpp::Priority::WARN, listener.last.priority);
+    EXPECT_NEAR(static_cast<double>(std::time(nullptr)), listener.last.timeStamp.getSeconds(), 60);
+    say("the second line");
+    service.reset(new OCL::logging::LoggingService("service"));
+    say("after the end of the service");
+    EXPECT_THAT(listener.messages(), ElementsAre("the second line"));
 }
 
 TEST_F(Service, OperationsShowAndChangePriorities) {
