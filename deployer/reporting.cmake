@@ -5,17 +5,21 @@ oroforge_component_library(reporting
   reporting/ConsoleReporting.cpp
   reporting/FileReporting.cpp
   reporting/ReportingComponent.cpp
+  reporting/columns.cpp
   reporting/components.cpp
+  reporting/fields.cpp
   reporting/leaf_kinds.cpp
   reporting/other_value.cpp
   reporting/record_queue.cpp
   reporting/record_ring.cpp
   reporting/report_entries.cpp
+  reporting/report_file.cpp
   reporting/row_text.cpp
   reporting/row_writer.cpp
   reporting/running_report.cpp
   reporting/screen.cpp
   reporting/source.cpp
+  reporting/text_sink.cpp
   reporting/text_target.cpp
   reporting/value_tree.cpp)
 target_link_libraries(orocos-ocl-reporting PRIVATE $<BUILD_INTERFACE:oroforge_diag>)

@@ -3,19 +3,19 @@
 #include "row_writer.hpp"
 
 #include "record.hpp"
-#include "row_text.hpp"
 
 #include <rtt/Logger.hpp>
 
 #include <chrono>
 #include <csignal>
+#include <exception>
 #include <thread>
 #include <utility>
 
 namespace OCL::reporting {
 namespace {
 
-/** The amount of text that is collected before it is written. */
+/** The number of bytes that are collected before they are written. */
 constexpr std::size_t kChunk = 256 * 1024;
 /** How long rows may gather, because many short writes cost more than few long ones, and a wake-up costs the
     component. */
@@ -37,14 +37,12 @@ void takeNoSignalsOfWriting() {
 
 }  // namespace
 
-RowWriter::RowWriter(const std::string& name, std::unique_ptr<TextTarget> target, std::size_t room, int digits,
+RowWriter::RowWriter(const std::string& name, std::unique_ptr<RowSink> sink, std::size_t room,
                      std::function<void()> onFailure)
     : RTT::Activity(ORO_SCHED_OTHER, 0, 0.0, nullptr, name),
-      target_(std::move(target)),
-      digits_(digits),
+      sink_(std::move(sink)),
       queue_(room),
       onFailure_(std::move(onFailure)) {
-    text_.reserve(2 * kChunk);
     started_ = start();
 }
 
@@ -55,11 +53,26 @@ bool RowWriter::push(const Record& record) {
         lose(1);
         return false;
     }
+    wake();
+    return true;
+}
+
+bool RowWriter::pushFields(Field report, const Record& row) {
+    auto owned = std::make_unique<const Field>(std::move(report));
+    Record record;
+    record.value(Tag::Fields, static_cast<const Field*>(owned.get()));
+    record.bytes(row.data(), row.size());
+    if (!queue_.push(record.data(), record.size())) return false;
+    (void)owned.release();  // takeFields() owns it now
+    wake();
+    return true;
+}
+
+void RowWriter::wake() {
     // Both sides exchange the flag. If this exchange comes second, it finds the thread asleep. If it comes first, that
     // in waitForRows() reads from it and so sees the record. With a plain load here, each side could miss what the
     // other does.
     if (asleep_.exchange(false, std::memory_order_acq_rel)) wake_.signal();
-    return true;
 }
 
 void RowWriter::finish() {
@@ -77,7 +90,7 @@ void RowWriter::waitUntilDone() {
     for (bool told = false; !done_.trywait(); std::this_thread::sleep_for(kEndCheck)) {
         if (told || std::chrono::steady_clock::now() - begin < kPatience) continue;
         told = true;
-        RTT::log(RTT::Warning) << "waiting for " << target_->name() << " to take the last rows of a report"
+        RTT::log(RTT::Warning) << "waiting for " << sink_->name() << " to take the last rows of a report"
                                << RTT::endlog();
     }
 }
@@ -102,25 +115,45 @@ void RowWriter::waitForRows() {
 
 void RowWriter::writeAll() {
     while (queue_.pop(record_)) {
-        appendRow(text_, record_.data(), record_.size(), digits_);
-        ++rows_;
-        if (text_.size() >= kChunk) writeOut();
+        try {
+            take();
+        } catch (const std::exception& exception) {
+            lose(1);
+            fail(exception.what());
+        }
     }
     writeOut();
 }
 
+void RowWriter::take() {
+    if (record_.front() == static_cast<char>(Tag::Fields)) return takeFields();
+    if (failed_) return lose(1);
+    sink_->row(record_.data(), record_.size());
+    if (sink_->waiting() >= kChunk) writeOut();
+}
+
+void RowWriter::takeFields() {
+    RecordReader reader(record_.data(), record_.size());
+    (void)reader.tag();
+    const std::unique_ptr<const Field> report(reader.value<const Field*>());
+    const std::size_t size = record_.size() - 1 - sizeof(const Field*);
+    if (!failed_) sink_->fields(*report, reader.bytes(size), size);
+}
+
 void RowWriter::writeOut() {
-    if (text_.empty()) return;
-    const std::string error = failed_ ? std::string() : target_->write(text_.data(), text_.size());
-    if (!error.empty()) {
-        RTT::log(RTT::Error) << "could not write to " << target_->name() << ": " << error
-                             << "; no further rows are written" << RTT::endlog();
-        failed_ = true;  // part of a line may have been written, so nothing may follow it
-        if (onFailure_) onFailure_();
-    }
-    if (failed_) lose(rows_);
-    rows_ = 0;
-    text_.clear();
+    if (failed_) return;
+    const RowSink::Written written = sink_->write();
+    if (written.error.empty()) return;
+    lose(written.lost);
+    fail(written.error);
+}
+
+/** What was written may end within a row, so nothing may follow it. */
+void RowWriter::fail(const std::string& error) {
+    if (failed_.exchange(true)) return;
+    RTT::log(RTT::Error) << "could not write to " << sink_->name() << ": " << error << "; no further rows are written"
+                         << RTT::endlog();
+    if (onFailure_) onFailure_();
 }
 
 void RowWriter::lose(unsigned long rows) { lost_.fetch_add(rows, std::memory_order_relaxed); }

@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include <reporting/record.hpp>
 #include <reporting/row_writer.hpp>
+#include <reporting/text_sink.hpp>
 #include <support/temp_dir.hpp>
 
 #include <rtt/Logger.hpp>
@@ -32,6 +33,26 @@ Record row(std::int64_t number) {
     record.value(Tag::Signed, number);
     return record;
 }
+
+/** A writer of rows of one number. */
+class Writer : public RowWriter {
+public:
+    explicit Writer(std::unique_ptr<TextTarget> target) : RowWriter("writer", rowsOf(std::move(target)), kRoom) {
+        Field report;
+        report.kind = Field::Kind::Group;
+        report.parts.emplace_back();
+        EXPECT_TRUE(pushFields(report, row(0)));
+    }
+
+private:
+    static std::unique_ptr<RowSink> rowsOf(std::unique_ptr<TextTarget> target) {
+        auto sink = textSink(std::move(target), TextFormat::Columns);
+        RowOptions options;
+        options.header = false;
+        sink->prepare(options);
+        return sink;
+    }
+};
 
 /** Keeps its writer waiting until it is opened; may fail then. */
 class Gate : public TextTarget {
@@ -67,7 +88,7 @@ private:
 TEST(RowWriter, WritesEverythingBeforeItEnds) {
     for (int round = 0; round < 50; ++round) {
         std::ostringstream text, expected;
-        RowWriter writer("writer", useStream(text), kRoom, 6);
+        Writer writer(useStream(text));
         for (int i = 0; i < round * 7; ++i) {
             ASSERT_TRUE(writer.push(row(i)));
             expected << ' ' << i << " \n";
@@ -81,7 +102,7 @@ TEST(RowWriter, WritesEverythingBeforeItEnds) {
 TEST(RowWriter, RowsComeOutByThemselves) {
     std::string text;
     auto* const gate = new Gate(text, true);
-    RowWriter writer("writer", std::unique_ptr<TextTarget>(gate), kRoom, 6);
+    Writer writer{std::unique_ptr<TextTarget>(gate)};
     gate->open();
     for (int i = 0; i < 20; ++i) {
         ASSERT_TRUE(writer.push(row(i)));
@@ -97,7 +118,7 @@ TEST(RowWriter, RowsComeOutByThemselves) {
 TEST(RowWriter, RowsThatFindNoRoomAreCounted) {
     std::string text;
     auto* const gate = new Gate(text, true);
-    RowWriter writer("writer", std::unique_ptr<TextTarget>(gate), kRoom, 6);
+    Writer writer{std::unique_ptr<TextTarget>(gate)};
     const Record record = row(1);
     unsigned long refused = 0, taken = 0;
     while (refused < 100) ++(writer.push(record) ? taken : refused);
@@ -113,7 +134,7 @@ TEST(RowWriter, SaysWhatItWaitsForAtTheEnd) {
     RTT::Logger::Instance()->setStdStream(log);
     std::string text;
     auto* const gate = new Gate(text, true);
-    RowWriter writer("writer", std::unique_ptr<TextTarget>(gate), kRoom, 6);
+    Writer writer{std::unique_ptr<TextTarget>(gate)};
     ASSERT_TRUE(writer.push(row(1)));
     std::thread opener([gate] {
         std::this_thread::sleep_for(std::chrono::milliseconds(2300));
@@ -132,7 +153,7 @@ TEST(RowWriter, SaysWhatItWaitsForAtTheEnd) {
 TEST(RowWriter, NothingFollowsALineThatCouldNotBeWritten) {
     std::string text;
     auto* const gate = new Gate(text, false);
-    RowWriter writer("writer", std::unique_ptr<TextTarget>(gate), kRoom, 6);
+    Writer writer{std::unique_ptr<TextTarget>(gate)};
     gate->open();
     for (int i = 0; i < 10; ++i) ASSERT_TRUE(writer.push(row(i)));
     writer.finish();
@@ -205,7 +226,7 @@ private:
 
 TEST(RowWriter, WritingToWhatTakesNoMoreIsAnErrorAndNoSignal) {
     std::string text;
-    RowWriter writer("writer", std::make_unique<Signals>(text), kRoom, 6);
+    Writer writer(std::make_unique<Signals>(text));
     ASSERT_TRUE(writer.push(row(1)));
     writer.finish();
     EXPECT_EQ("SIGPIPE SIGXFSZ ", text);
@@ -223,7 +244,7 @@ TEST(RowWriter, APipeWithoutReaderIsAnErrorInTheLog) {
     ASSERT_EQ("", error);
     std::ostringstream log;
     RTT::Logger::Instance()->setStdStream(log);
-    RowWriter writer("writer", std::move(target), kRoom, 6);
+    Writer writer(std::move(target));
     ASSERT_TRUE(writer.push(row(1)));
     writer.finish();
     RTT::Logger::Instance()->setStdStream(std::cerr);
