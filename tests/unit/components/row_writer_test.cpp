@@ -18,6 +18,7 @@
 #include <mutex>
 #include <sstream>
 #include <string>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <thread>
 #include <unistd.h>
@@ -198,6 +199,20 @@ TEST_F(ReportFile, BelongsToOneReporterAtATime) {
     error_.clear();
     EXPECT_NE(nullptr, openFile(name_, error_));
     EXPECT_EQ("", error_);
+}
+
+TEST_F(ReportFile, EndsAtAWholeRowEvenIfRowsHaveLineEnds) {
+    const std::unique_ptr<TextTarget> file = openFile(name_, error_);
+    ASSERT_NE(nullptr, file) << error_;
+    rlimit before{};
+    getrlimit(RLIMIT_FSIZE, &before);
+    const rlimit small{14, before.rlim_max};  // ends behind the first line of the second row
+    std::signal(SIGXFSZ, SIG_IGN);
+    setrlimit(RLIMIT_FSIZE, &small);
+    const std::string text = "1,\"a\nb\"\n2,\"c\nd\"\n";
+    EXPECT_EQ("File too large", file->write(text.data(), text.size()));
+    setrlimit(RLIMIT_FSIZE, &before);
+    EXPECT_EQ("1,\"a\nb\"\n", oroforge::test::readFile(name_));
 }
 
 TEST_F(ReportFile, OfADeviceBelongsToAll) {
