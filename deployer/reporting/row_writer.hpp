@@ -26,7 +26,7 @@ class Record;
  *
  * Rows are written in order, some milliseconds after they were pushed.
  */
-class RowWriter : public RTT::Activity {
+class RowWriter final : public RTT::Activity {
 public:
     /** Starts the thread. @param room bytes for records @param onFailure called once by the thread, when it has
         failed() */

@@ -36,14 +36,17 @@ Record row(std::int64_t number) {
 }
 
 /** A writer of rows of one number. */
-class Writer : public RowWriter {
+class Writer {
 public:
-    explicit Writer(std::unique_ptr<TextTarget> target) : RowWriter("writer", rowsOf(std::move(target)), kRoom) {
+    explicit Writer(std::unique_ptr<TextTarget> target) : writer_("writer", rowsOf(std::move(target)), kRoom) {
         Field report;
         report.kind = Field::Kind::Group;
         report.parts.emplace_back();
-        EXPECT_TRUE(pushFields(report, row(0)));
+        EXPECT_TRUE(writer_.pushFields(report, row(0)));
     }
+    bool push(const Record& record) { return writer_.push(record); }
+    void finish() { writer_.finish(); }
+    unsigned long lost() const { return writer_.lost(); }
 
 private:
     static std::unique_ptr<RowSink> rowsOf(std::unique_ptr<TextTarget> target) {
@@ -53,6 +56,8 @@ private:
         sink->prepare(options);
         return sink;
     }
+
+    RowWriter writer_;
 };
 
 /** Keeps its writer waiting until it is opened; may fail then. */
