@@ -36,6 +36,9 @@ const struct {
     {"site-file", Takes::Word, "deploy from this file first; default: <name>-site.cpf, if there is one"},
     {"log-level,l", Takes::Word,
      "Never, Fatal, Critical, Error, Warning, Info, Debug or RealTime; overrides ORO_LOGLEVEL"},
+    {"log-time", Takes::Word,
+     "relative: lines of the log begin with seconds since the start; wall: with local date and time; overrides "
+     "ORO_LOGTIME"},
     {"no-consolelog", Takes::Nothing, "write the log to its file only"},
     {"check", Takes::Nothing,
      "check scripts without running them, load and configure what XML files describe, start nothing, clean up and end"},
@@ -176,6 +179,17 @@ void takeWords(const std::vector<std::string>& words, const std::vector<std::str
     }
 }
 
+const std::vector<std::string> kLogTimes = {"relative", "wall"};
+
+void takeLogTime(const std::string& value, Options& options, std::string& error) {
+    const auto found = std::find(kLogTimes.begin(), kLogTimes.end(), value);
+    if (found == kLogTimes.end())
+        error = "unknown value '" + value + "' of --log-time, expected " + diag::oneOf(kLogTimes) +
+                diag::didYouMean(value, kLogTimes);
+    else
+        options.logTime = value == "wall" ? RTT::LogTime::Wall : RTT::LogTime::Relative;
+}
+
 bool takeValues(const po::variables_map& values, const std::vector<std::string>& names, Options& options,
                 std::string& error) {
     options.action = values.count("help")      ? Options::ShowHelp
@@ -231,6 +245,7 @@ bool takeValues(const po::variables_map& values, const std::vector<std::string>&
         else
             error = "no number of elements: " + std::to_string(elements);
     }
+    if (values.count("log-time")) takeLogTime(values["log-time"].as<std::string>(), options, error);
     if (!values.count("log-level")) return error.empty();
     const std::string level = values["log-level"].as<std::string>();
     options.logLevel = logLevelOf(level);
@@ -284,6 +299,12 @@ std::string usage(const std::string& program, const ProgramText& text) {
 std::string version(const std::string& program) {
     return program + " " ORO_STRINGIFY(RTT_VERSION) " (Oroforge, target " OROCOS_TARGET_NAME ", compiler " __VERSION__
                                                     ")\n";
+}
+
+std::string partName(const std::string& program) {
+    const std::string name = std::filesystem::path(program).filename().string(), target = "-" OROCOS_TARGET_NAME;
+    const std::size_t at = name.rfind(target);
+    return at != std::string::npos && at != 0 && at + target.size() == name.size() ? name.substr(0, at) : name;
 }
 
 std::string programVersion() { return ORO_STRINGIFY(RTT_VERSION); }

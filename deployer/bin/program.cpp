@@ -221,6 +221,8 @@ int run(int argc, char** argv, const Options& options, const Program& program, P
     }
     if (options.lockMemory)  // after the fork, because locks are not inherited
         if (const std::string problem = lockMemory(); !problem.empty()) report.warning(problem);
+    const RTT::Logger::In in(partName(argv[0]));
+    if (options.logTime) RTT::Logger::setLogTime(*options.logTime);  // before the first line
     if (options.logLevel >= 0) RTT::Logger::Instance()->setLogLevel(static_cast<RTT::LoggerLevel>(options.logLevel));
     if (!options.consoleLog) RTT::Logger::Instance()->mayLogStdOut(false);
     int status = runWithRuntime(wordsForRuntime(argc, argv), options, program, report);

@@ -59,10 +59,11 @@ public:
         ++rows_;
     }
     std::size_t waiting() const override { return records_.size(); }
-    Written write() override {
+    std::string write() override {
         if (error_.empty()) error_ = flush();
-        return {error_, std::exchange(rows_, 0)};
+        return error_;
     }
+    unsigned long rows() const override { return rows_; }
     std::string name() const override { return "file '" + file_->path() + "'"; }
 
 private:

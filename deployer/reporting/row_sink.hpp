@@ -5,6 +5,7 @@
 
 #include "fields.hpp"
 
+#include <chrono>
 #include <cstddef>
 #include <string>
 
@@ -20,14 +21,10 @@ struct RowOptions {
     int digits = 6;            ///< of numbers with a fraction, if the format does not need all
 };
 
-/** Writes rows in one format to one place. Used by the writing thread, but for the first two functions. */
+/** Writes rows in one format to one place. Used by the writing thread, but for the first two functions. The report ends
+    when one of the others throws. */
 class RowSink {
 public:
-    struct Written {
-        std::string error;       ///< empty if all went well; otherwise the report ends
-        unsigned long lost = 0;  ///< rows that were not written, if there is an error
-    };
-
     virtual ~RowSink() = default;
     /** Called once, before the thread starts. */
     virtual void prepare(const RowOptions&) {}
@@ -40,8 +37,12 @@ public:
     virtual void row(const char* record, std::size_t size) = 0;
     /** The number of bytes that wait. */
     virtual std::size_t waiting() const = 0;
-    /** Writes all rows that wait. */
-    virtual Written write() = 0;
+    /** Writes all rows that wait. Returns the reason of a failure, after which the report ends, or nothing. */
+    virtual std::string write() = 0;
+    /** The number of rows that wait; after a failure, of those that it lost. */
+    virtual unsigned long rows() const = 0;
+    /** How long the last rows may take when the report ends, until the others are lost. */
+    virtual std::chrono::milliseconds patience() const { return std::chrono::hours(24 * 365); }
     /** The name of the target in errors. */
     virtual std::string name() const = 0;
 };

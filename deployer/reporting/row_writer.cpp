@@ -23,7 +23,7 @@ constexpr std::chrono::milliseconds kGathering(5);
 /** How often finish() checks whether the last row is written, and how long that may take before it logs that it
     waits. */
 constexpr std::chrono::milliseconds kEndCheck(1);
-constexpr std::chrono::seconds kPatience(2);
+constexpr std::chrono::seconds kUntilTold(2);
 
 /** Blocks the signals that a closed pipe or a file size limit would send to this thread: they would end the process
     with all other components, and write() returns an error anyway. */
@@ -76,19 +76,25 @@ void RowWriter::wake() {
 }
 
 void RowWriter::finish() {
-    if (!started_) return;
-    started_ = false;
-    ending_.store(true, std::memory_order_seq_cst);
-    wake_.signal();
-    waitUntilDone();
-    (void)stop();
+    if (std::exchange(started_, false)) {
+        endBy_ = std::chrono::steady_clock::now() + sink_->patience();
+        ending_.store(true, std::memory_order_seq_cst);
+        wake_.signal();
+        waitUntilDone();
+        (void)stop();
+    }
+    dropAll();  // if the thread could not be started
+}
+
+bool RowWriter::isLate() const {
+    return ending_.load(std::memory_order_acquire) && std::chrono::steady_clock::now() >= endBy_;
 }
 
 /** Waits without limit, because rows must not be lost if a disk or pipe is slow; logs that it waits. */
 void RowWriter::waitUntilDone() {
     const auto begin = std::chrono::steady_clock::now();
     for (bool told = false; !done_.trywait(); std::this_thread::sleep_for(kEndCheck)) {
-        if (told || std::chrono::steady_clock::now() - begin < kPatience) continue;
+        if (told || std::chrono::steady_clock::now() - begin < kUntilTold) continue;
         told = true;
         RTT::log(RTT::Warning) << "waiting for " << sink_->name() << " to take the last rows of a report"
                                << RTT::endlog();
@@ -100,7 +106,7 @@ void RowWriter::loop() {
     for (;;) {
         const bool last = ending_.load(std::memory_order_acquire);
         writeAll();
-        if (last) break;  // all that was pushed before finish() has been written
+        if (last) break;  // all that was pushed before finish() has been taken
         waitForRows();
     }
     done_.signal();
@@ -114,22 +120,36 @@ void RowWriter::waitForRows() {
 }
 
 void RowWriter::writeAll() {
-    while (queue_.pop(record_)) {
-        try {
-            take();
-        } catch (const std::exception& exception) {
-            lose(1);
-            fail(exception.what());
-        }
+    try {
+        while (!failed_ && !isLate() && queue_.pop(record_)) take();
+        writeOut();
+    } catch (const std::exception& exception) {
+        fail(exception.what());
     }
-    writeOut();
+    if (failed_ || isLate()) dropAll();
 }
 
 void RowWriter::take() {
     if (record_.front() == static_cast<char>(Tag::Fields)) return takeFields();
-    if (failed_) return lose(1);
-    sink_->row(record_.data(), record_.size());
+    try {
+        sink_->row(record_.data(), record_.size());
+    } catch (...) {
+        lose(1);
+        throw;
+    }
     if (sink_->waiting() >= kChunk) writeOut();
+}
+
+/** Counts all rows of the queue as lost. */
+void RowWriter::dropAll() {
+    char begin[1 + sizeof(const Field*)] = {};
+    while (queue_.drop(begin, sizeof begin)) {
+        RecordReader reader(begin, sizeof begin);
+        if (reader.tag() == Tag::Fields)
+            delete reader.value<const Field*>();
+        else
+            lose(1);
+    }
 }
 
 void RowWriter::takeFields() {
@@ -137,20 +157,20 @@ void RowWriter::takeFields() {
     (void)reader.tag();
     const std::unique_ptr<const Field> report(reader.value<const Field*>());
     const std::size_t size = record_.size() - 1 - sizeof(const Field*);
-    if (!failed_) sink_->fields(*report, reader.bytes(size), size);
+    sink_->fields(*report, reader.bytes(size), size);
 }
 
 void RowWriter::writeOut() {
     if (failed_) return;
-    const RowSink::Written written = sink_->write();
-    if (written.error.empty()) return;
-    lose(written.lost);
-    fail(written.error);
+    const std::string error = sink_->write();
+    if (!error.empty()) fail(error);
 }
 
 /** What was written may end within a row, so nothing may follow it. */
 void RowWriter::fail(const std::string& error) {
-    if (failed_.exchange(true)) return;
+    if (failed_) return;
+    lose(sink_->rows());
+    failed_ = true;
     RTT::log(RTT::Error) << "could not write to " << sink_->name() << ": " << error << "; no further rows are written"
                          << RTT::endlog();
     if (onFailure_) onFailure_();

@@ -10,6 +10,7 @@
 #include <rtt/os/Semaphore.hpp>
 
 #include <atomic>
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <string>
@@ -22,7 +23,7 @@ class Record;
 /**
  * The thread that hands records to a sink.
  *
- *     component: Record ──push──► RecordQueue ──pop──► RowSink ──write──► file, console       (this thread)
+ *     component: Record ──push──► RecordQueue ──pop──► RowSink ──write──► file, console, clients   (this thread)
  *
  * Rows are written in order, some milliseconds after they were pushed.
  */
@@ -48,7 +49,8 @@ public:
 
     /** Counts a row that is lost before it comes here. */
     void lose() { lose(1); }
-    /** Waits until everything is written, and ends the thread. If that takes long, logs what it waits for. */
+    /** Waits until everything is written, or the patience of the sink ends, and ends the thread. If that takes long,
+        logs what it waits for. */
     void finish();
     /** The number of rows for which there was no room or that could not be written. */
     unsigned long lost() const { return lost_.load(std::memory_order_relaxed); }
@@ -61,8 +63,10 @@ protected:
 
 private:
     void writeAll();
+    bool isLate() const;
     void take();
     void takeFields();
+    void dropAll();
     void writeOut();
     void fail(const std::string& error);
     void wake();
@@ -73,7 +77,8 @@ private:
     const std::unique_ptr<RowSink> sink_;
     RecordQueue queue_;
     std::atomic<unsigned long> lost_{0};
-    std::atomic<bool> asleep_{false};  // the thread waits, or will wait, for wake_
+    std::atomic<bool> asleep_{false};              // the thread waits, or will wait, for wake_
+    std::chrono::steady_clock::time_point endBy_;  // set before ending_
     std::atomic<bool> ending_{false};
     RTT::os::Semaphore wake_{0}, done_{0};
     bool started_ = false;

@@ -161,7 +161,7 @@ void RunningReport::push(const Record& record) {
         makeRoom();
     if ((!otherFields_ && writer_->push(record)) || std::exchange(everLost_, true)) return;
     RTT::log(RTT::Error) << "a row of the report of '" << options_.rows.component
-                         << "' is lost: its file or console does not take them as fast as they come" << RTT::endlog();
+                         << "' is lost: its target does not take them as fast as they come" << RTT::endlog();
 }
 
 /** Not at each growth of a row: until it has twice its size, half of the room is enough. */

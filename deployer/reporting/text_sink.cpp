@@ -86,22 +86,23 @@ public:
     void row(const char* record, std::size_t size) override {
         columns_.walk(RecordReader(record, size), begin());
         showNewColumns();
-        ++rows_;
         if (format_ == TextFormat::Csv)
             appendSeparated();
         else
             appendBlanked();
         text_.push_back('\n');
+        ++rows_;
     }
     std::size_t waiting() const override { return text_.size(); }
-    Written write() override {
-        Written result;
-        if (!text_.empty()) result.error = target_->write(text_.data(), text_.size());
-        if (!result.error.empty()) result.lost = rows_;
+    std::string write() override {
+        std::string error;
+        if (!text_.empty()) error = target_->write(text_.data(), text_.size());
+        if (!error.empty()) return error;
         rows_ = 0;
         text_.clear();
-        return result;
+        return error;
     }
+    unsigned long rows() const override { return rows_; }
     std::string name() const override { return target_->name(); }
 
 private:

@@ -18,7 +18,7 @@ namespace rtt_roscomm {
 
 namespace {
 
-constexpr std::chrono::milliseconds kPatience(2000);
+constexpr std::chrono::milliseconds kEndPatience(2000);
 
 /** One thread, which ends when it has nothing to do. It is never joined: nobody can wait for a master that is stopped. */
 class Helper {
@@ -89,7 +89,7 @@ void doWithin(std::function<void()> work, std::chrono::milliseconds limit) {
     Helper::instance().execute(std::move(work), limit);
 }
 
-void endWithMaster(std::function<void()> work) { doWithin(nowOrWhenThere(std::move(work)), kPatience); }
+void endWithMaster(std::function<void()> work) { doWithin(nowOrWhenThere(std::move(work)), kEndPatience); }
 
 void endWithMasterLater(std::function<void()> work) {
     doWithin(nowOrWhenThere(std::move(work)), std::chrono::milliseconds(0));

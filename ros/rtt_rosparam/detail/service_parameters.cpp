@@ -33,7 +33,7 @@ std::optional<Value> fetch(const std::string& name) {
     const bool isRead = report(Error, problemIn([&] {
                                    const std::string full = resolved(name);
                                    isSet = master::get(full, value);
-                                   if (!isSet) log(Debug) << "parameter '" << full << "' is not set" << endlog();
+                                   if (!isSet) log(Info) << "parameter '" << full << "' is not set" << endlog();
                                }));
     return isRead && isSet ? std::optional<Value>(value) : std::nullopt;
 }

@@ -16,6 +16,7 @@
 #include <iostream>
 #include <memory>
 #include <mutex>
+#include <new>
 #include <sstream>
 #include <string>
 #include <sys/resource.h>
@@ -165,6 +166,78 @@ TEST(RowWriter, NothingFollowsALineThatCouldNotBeWritten) {
     writer.finish();
     EXPECT_EQ(10u, writer.lost());
     EXPECT_EQ("", text);
+}
+
+/** Keeps rows, and throws at one of its functions. */
+class Faulty : public RowSink {
+public:
+    enum At { Fields, Row, Write };
+    explicit Faulty(At at) : at_(at) {}
+
+    void fields(const Field&, const char*, std::size_t) override { reach(Fields); }
+    void row(const char*, std::size_t) override {
+        if (rows_ == 3) reach(Row);
+        ++rows_;
+    }
+    std::size_t waiting() const override { return 0; }
+    std::string write() override {
+        if (rows_ >= 3) reach(Write);
+        return {};
+    }
+    unsigned long rows() const override { return rows_; }
+    std::string name() const override { return "the faulty sink"; }
+
+private:
+    void reach(At at) const {
+        if (at == at_) throw std::bad_alloc();
+    }
+    const At at_;
+    unsigned long rows_ = 0;
+};
+
+TEST(RowWriter, AllRowsThatWaitAreLostWhenASinkThrows) {
+    for (const Faulty::At at : {Faulty::Fields, Faulty::Row, Faulty::Write}) {
+        int failures = 0;
+        RowWriter writer("writer", std::make_unique<Faulty>(at), kRoom, [&failures] { ++failures; });
+        for (int i = 0; i < 5; ++i) ASSERT_TRUE(writer.push(row(i)));
+        ASSERT_TRUE(writer.pushFields(Field(), row(0)));  // which is freed in any case
+        for (int i = 0; i < 5; ++i) ASSERT_TRUE(writer.push(row(i)));
+        writer.finish();
+        EXPECT_TRUE(writer.failed());
+        EXPECT_EQ(1, failures);
+        EXPECT_EQ(10u, writer.lost()) << at;
+    }
+}
+
+/** Needs a millisecond for a row, and has not so much patience at the end. */
+class Hasty : public RowSink {
+public:
+    explicit Hasty(unsigned long& taken) : taken_(taken) {}
+
+    void fields(const Field&, const char*, std::size_t) override {}
+    void row(const char*, std::size_t) override {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        ++taken_;
+    }
+    std::size_t waiting() const override { return 0; }
+    std::string write() override { return {}; }
+    unsigned long rows() const override { return 0; }
+    std::chrono::milliseconds patience() const override { return std::chrono::milliseconds(50); }
+    std::string name() const override { return "the hasty sink"; }
+
+private:
+    unsigned long& taken_;
+};
+
+TEST(RowWriter, RowsThatASinkHasNoPatienceForAreLost) {
+    unsigned long taken = 0;
+    RowWriter writer("writer", std::make_unique<Hasty>(taken), kRoom);
+    for (int i = 0; i < 3000; ++i) ASSERT_TRUE(writer.push(row(i)));
+    writer.finish();
+    EXPECT_FALSE(writer.failed());
+    EXPECT_EQ(3000u, taken + writer.lost());
+    EXPECT_GT(writer.lost(), 0u);
+    EXPECT_GT(taken, 0u);
 }
 
 TEST(RowWriter, FileThatCannotBeOpenedSaysWhy) {

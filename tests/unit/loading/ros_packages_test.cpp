@@ -131,6 +131,14 @@ TEST_F(RosImport, WhatIsMissingIsSaidAndTheOthersAreImported) {
     EXPECT_TRUE(loader_->isImported("ros_robot"));
 }
 
+TEST_F(RosImport, AMisspelledPackageGetsAHint) {
+    std::filesystem::create_directories(workspace_.path() / "path");
+    std::filesystem::create_directory_symlink(kTarget + "/single", workspace_.path() / "path/ros_robot");
+    loader_->setComponentPath((workspace_.path() / "path").string());
+    EXPECT_THAT(importRos("ros_rovot"), HasSubstr("there is no package 'ros_rovot'; ROS_PACKAGE_PATH"));
+    EXPECT_THAT(importRos("ros_rovot"), HasSubstr("did you mean 'ros_robot'?"));
+}
+
 TEST_F(RosImport, PackagesOfPrefixesAreFoundWithoutRosPackagePath) {
     unsetenv("ROS_PACKAGE_PATH");
     setenv("CMAKE_PREFIX_PATH", workspace_.path().c_str(), 1);

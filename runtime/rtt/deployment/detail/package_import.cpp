@@ -65,9 +65,13 @@ std::vector<std::string> directoriesOf(const std::string& name, const std::vecto
     return {};
 }
 
-std::string rosPackageMissing(const std::string& name, const std::string& by, const std::string& problem) {
-    return "there is no package '" + name + "'" + (by.empty() ? "" : ", which package.xml of '" + by + "' names") +
-           (problem.empty() ? "; ROS_PACKAGE_PATH and CMAKE_PREFIX_PATH say where packages are" : ": " + problem);
+std::string rosPackageMissing(const std::string& name, const std::string& by, const std::string& problem,
+                              const std::vector<std::string>& paths) {
+    const std::string text =
+        "there is no package '" + name + "'" + (by.empty() ? "" : ", which package.xml of '" + by + "' names");
+    if (!problem.empty()) return text + ": " + problem;
+    return text + "; ROS_PACKAGE_PATH and CMAKE_PREFIX_PATH say where packages are" +
+           oroforge::diag::didYouMean(name, packagesIn(paths));
 }
 
 }  // namespace
@@ -197,7 +201,7 @@ void PackageImport::ros(const std::string& name, const std::string& pathList) {
             log(Info) << "ROS package '" << one << "' in " << package->directory
                       << " has no components, typekits or plugins" << endlog();
         else
-            libraries.errors_.push_back(rosPackageMissing(one, by, packages.problem(one)));
+            libraries.errors_.push_back(rosPackageMissing(one, by, packages.problem(one), paths));
         errors_.insert(errors_.end(), libraries.errors_.begin(), libraries.errors_.end());
         broken_ |= libraries.broken_;
     };
