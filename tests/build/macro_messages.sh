@@ -114,7 +114,7 @@ add_subdirectory(sub)'
 
 refused "no such plugins for gnulinux: rtt-transport-ros, rtt-elsewhere (searched: $prefix/lib/orocos/gnulinux/plugins, " \
   'find_package(OROCOS-RTT REQUIRED rtt-scripting rtt-transport-ros rtt-elsewhere)'
-refused "no such parts for gnulinux: ocl-logging; $prefix has: deployment-corba, deployment, taskbrowser, common, helloworld, lua, lua-tlsf, reporting, timer" \
+refused "no such parts for gnulinux: ocl-logging; $prefix has: deployment-corba, deployment, taskbrowser, common, helloworld, lua, lua-tlsf, reporting, reporting-netcdf, timer" \
   'find_package(OROCOS-OCL REQUIRED COMPONENTS deployment ocl-logging)'
 # The environment goes first, and says so.
 calls ''
