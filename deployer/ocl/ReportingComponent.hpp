@@ -15,7 +15,7 @@
 namespace OCL {
 
 namespace reporting {
-class TextTarget;
+class RowSink;
 }
 
 /**
@@ -66,8 +66,8 @@ protected:
 
     /** Writes the properties, attributes and ports of a peer. */
     bool screenImpl(const std::string& component, std::ostream& output);
-    /** Sets where rows go as text, from the next start() to the stop() after it. */
-    void writeTo(std::unique_ptr<reporting::TextTarget> target);
+    /** Sets where rows go, from the next start() to the stop() after it. */
+    void writeTo(std::unique_ptr<reporting::RowSink> sink);
 
 private:
     struct Impl;

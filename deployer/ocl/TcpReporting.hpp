@@ -22,7 +22,8 @@ struct TcpCounts;
  * costs the component what it costs other reporters. Two threads of ordinary priority make text and serve clients.
  * Their sockets never block, so a client that reads slowly loses frames itself and delays nothing.
  *
- * start() reads the properties. The attributes are updated with each row: `used_port`, the port it listens on, or 0;
+ * start() reads the properties. stop() sends the rows that still wait in the buffer, for two seconds at most, and gives
+ * clients 0.2 s to take them. The attributes are updated with each row: `used_port`, the port it listens on, or 0;
  * `clients`, which are connected; `refused_clients` and `dropped_frames`, since start().
  */
 class OCL_API TcpReporting : public ReportingComponent {

@@ -2,7 +2,7 @@
 // Copyright Oroforge contributors
 #include <ocl/FileReporting.hpp>
 
-#include "text_target.hpp"
+#include "text_sink.hpp"
 
 #include <rtt/Logger.hpp>
 
@@ -13,17 +13,27 @@ namespace OCL {
 
 FileReporting::FileReporting(const std::string& name) : ReportingComponent(name) {
     addProperty("ReportFile", reportFile_).doc("The file to write to; it begins anew with each start.");
+    addProperty("Format", format_).doc("The format of the rows: columns or csv.");
 }
 
 FileReporting::~FileReporting() { stopForGood(); }
 
+bool FileReporting::configureHook() {
+    return reporting::textFormat(format_, getName()) && ReportingComponent::configureHook();
+}
+
 bool FileReporting::startHook() {
+    const auto format = reporting::textFormat(format_, getName());
+    if (!format) return false;
     std::string error;
     writeTo(nullptr);  // a start that failed may have left the file open
-    writeTo(reporting::openFile(reportFile_, error));
-    if (!error.empty())
+    std::unique_ptr<reporting::TextTarget> file = reporting::openFile(reportFile_, error);
+    if (!file) {
         RTT::log(RTT::Error) << "could not open file '" << reportFile_ << "' for reporting: " << error << RTT::endlog();
-    return error.empty() && ReportingComponent::startHook();
+        return false;
+    }
+    writeTo(reporting::textSink(std::move(file), *format));
+    return ReportingComponent::startHook();
 }
 
 bool FileReporting::screenComponent(const std::string& component) {

@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include "frame_text.hpp"
 
+#include "other_value.hpp"
 #include "record.hpp"
 #include "row_text.hpp"
 
@@ -42,56 +43,55 @@ void appendName(Text& text, std::string_view name) {
     text.push_back('\n');
 }
 
-/** Writes a value and its members. Members without a name get a number: elements from 0, others from 1. */
+/** Writes values and their members. Members without a name get a number: elements from 0, others from 1. */
 class Decoder {
 public:
-    Decoder(RecordReader& record, Text& text, Text& value, int digits)
-        : record_(record), text_(text), value_(value), digits_(digits) {}
+    Decoder(RecordReader& record, Text& text, int digits) : record_(record), text_(text), digits_(digits) {}
 
-    /** Writes the value after its name, with all members. */
-    void all() {
-        for (std::size_t depth = step(0); depth != 0;) depth = step(depth);
+    /** Writes the next value after its name, with all members. */
+    void value(const Field& field, std::string_view name) {
+        appendName(text_, name);
+        const Tag tag = record_.tag();
+        switch (field.kind) {
+            case Field::Kind::Value: return appendPlain(tag);
+            case Field::Kind::Group: return members(field);
+            case Field::Kind::Sequence: return elements(field.parts.front());
+        }
     }
 
 private:
-    /** Decodes one value; returns how many bags are open after it. */
-    std::size_t step(std::size_t depth) {
-        Tag tag = record_.tag();
-        if (tag == Tag::End) {
-            members_.pop_back();
-            return depth - 1;
+    void members(const Field& group) {
+        std::size_t number = 0;
+        for (const Field& part : group.parts) {
+            ++number;
+            if (part.name.empty())
+                value(part, std::to_string(number));
+            else
+                value(part, part.name);
         }
-        if (depth != 0) nameOf(tag);
-        if (tag == Tag::Bag) {
-            members_.push_back(0);
-            return depth + 1;
-        }
-        append(text_, "205 ");
-        appendPlain(tag);
-        text_.push_back('\n');
-        return depth;
     }
-    /** Writes the name of a member, and goes on to the tag of its value. */
-    void nameOf(Tag& tag) {
-        const std::size_t number = members_.back()++;
-        if (tag != Tag::Name) return appendName(text_, std::to_string(number));
-        const std::string_view name = record_.text();
-        appendName(text_, name.empty() ? std::string_view(std::to_string(number + 1)) : name);
-        tag = record_.tag();
+    void elements(const Field& element) {
+        const auto count = record_.value<std::uint32_t>();
+        for (std::uint32_t i = 0; i != count; ++i) value(element, std::to_string(i));
     }
     void appendPlain(Tag tag) {
-        if (tag == Tag::Text) return appendOneLine(text_, record_.text());
-        if (tag != Tag::Char && tag != Tag::Other) return appendValue(text_, tag, record_, digits_);
-        value_.clear();
-        appendValue(value_, tag, record_, digits_);
-        appendOneLine(text_, std::string_view(value_.data(), value_.size()));
+        append(text_, "205 ");
+        if (tag == Tag::Text) {
+            appendOneLine(text_, record_.text());
+        } else if (tag == Tag::Char) {
+            appendOneLine(text_, std::string_view(record_.bytes(1), 1));
+        } else if (tag == Tag::Other) {
+            const OtherValue* const other = record_.value<const OtherValue*>();
+            appendOneLine(text_, other->text(record_.bytes(other->size())));
+        } else {
+            appendValue(text_, tag, record_, TextFormat::Columns, digits_);
+        }
+        text_.push_back('\n');
     }
 
     RecordReader& record_;
     Text& text_;
-    Text& value_;
     const int digits_;
-    std::vector<std::size_t> members_;  // how many members each open bag has had
 };
 
 }  // namespace
@@ -102,24 +102,21 @@ std::string onOneLine(std::string_view text) {
     return std::string(line.begin(), line.end());
 }
 
-FrameText::FrameText(std::vector<std::string> names) : names_(std::move(names)), parts_(names_.size()) {
-    for (const std::string& name : names_) lines_.push_back(onOneLine(name));
+FrameText::FrameText(Field report) : report_(std::move(report)), parts_(report_.parts.size()) {
+    for (const Field& field : report_.parts) lines_.push_back(onOneLine(field.name));
 }
 
 void FrameText::decode(const char* record, std::size_t size, int digits) {
     RecordReader reader(record, size);
+    Decoder decoder(reader, text_, digits);
     text_.clear();
-    parts_.assign(names_.size(), Place());
-    for (std::size_t name = 0; reader.more();) {
-        (void)reader.tag();  // Tag::Name
-        const std::string_view wanted = reader.text();
-        // A row may leave out some names, but has no others.
-        while (name != names_.size() && names_[name] != wanted) ++name;
-        if (name == names_.size()) return;
+    for (std::size_t i = 0; i != parts_.size(); ++i) {
         const std::size_t begin = text_.size();
-        appendName(text_, wanted);
-        Decoder(reader, text_, value_, digits).all();
-        parts_[name] = {begin, text_.size() - begin};
+        if (reader.next() == Tag::Absent)
+            (void)reader.tag();
+        else
+            decoder.value(report_.parts[i], report_.parts[i].name);
+        parts_[i] = {begin, text_.size() - begin};
     }
 }
 

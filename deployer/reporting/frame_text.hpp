@@ -3,9 +3,12 @@
 #ifndef ORO_OCL_REPORTING_FRAME_TEXT_HPP
 #define ORO_OCL_REPORTING_FRAME_TEXT_HPP
 
+#include "fields.hpp"
+
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace OCL::reporting {
@@ -22,12 +25,14 @@ std::string onOneLine(std::string_view text);
  */
 class FrameText {
 public:
-    /** @param names of what is reported, in the order of the rows */
-    explicit FrameText(std::vector<std::string> names);
+    /** @param report what the records consist of: its parts are what is reported, by name */
+    explicit FrameText(Field report);
+    /** Sets what the next records consist of. What is reported must be the same, but may have other members. */
+    void adopt(Field report) { report_ = std::move(report); }
 
-    /** Makes the parts of a record with names (see record.hpp). */
+    /** Makes the parts of a record. */
     void decode(const char* record, std::size_t size, int digits);
-    /** The lines of a name, by its index; empty if the row does not have it. */
+    /** The lines of a name, by its index; empty if the row leaves it out. */
     std::string_view part(std::size_t name) const;
     /** The names, each on one line. */
     const std::vector<std::string>& names() const { return lines_; }
@@ -36,9 +41,9 @@ private:
     struct Place {
         std::size_t begin = 0, size = 0;
     };
-    const std::vector<std::string> names_;
+    Field report_;
     std::vector<std::string> lines_;
-    std::vector<char> text_, value_;
+    std::vector<char> text_;
     std::vector<Place> parts_;
 };
 

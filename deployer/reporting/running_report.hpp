@@ -27,21 +27,17 @@ struct Marshallers {
 };
 
 struct ReportOptions {
-    std::string component;
+    RowOptions rows;
     Decomposition decomposition = Decomposition::Members;
-    bool header = true;         ///< write a header before the first row
-    bool repeatHeader = false;  ///< also write one whenever the columns change
-    bool onlyNewData = false;   ///< leave out values that have not changed since the last row
-    int digits = 6;
     RTT::os::TimeService::ticks begin = 0;  ///< zero of the time stamps
-    std::function<void()> onFailure;        ///< called once, by another thread, when the target has failed
+    std::function<void()> onFailure;        ///< called once, by another thread, when the sink has failed
 };
 
 /** A report from start() to stop() of its component, with fixed sources. Used by one thread at a time. */
 class RunningReport {
 public:
-    /** Reads all sources and takes their values apart. `target` may be null; `marshallers` must outlive this. */
-    RunningReport(const Sources& sources, const ReportOptions& options, std::unique_ptr<TextTarget> target,
+    /** Reads all sources and takes their values apart. `sink` may be null; `marshallers` must outlive this. */
+    RunningReport(const Sources& sources, const ReportOptions& options, std::unique_ptr<RowSink> sink,
                   const std::vector<Marshallers>& marshallers);
 
     /** Reads all sources; true if a port had a new sample. Real-time safe if copying the values is. */
@@ -55,7 +51,7 @@ public:
     /** Waits until everything is written. */
     void finish();
     unsigned long lost() const { return writer_ ? writer_->lost() : 0; }
-    /** True if the target has failed. */
+    /** True if the sink has failed. */
     bool failed() const { return writer_ && writer_->failed(); }
 
 private:
@@ -70,20 +66,21 @@ private:
     };
     void chooseEntries();
     bool hasChanged(Entry& entry);
-    std::vector<std::string> names() const;
     void encodeRow(double time);
     void writeHeader();
-    void columnsChanged();
+    Field fields() const;
+    void pushFields();
     void fill(RTT::PropertyBag& bag, double time);
     void push(const Record& record);
+    void makeRoom();
+    void warnOfTypesWithoutText() const;
 
     const ReportOptions options_;
     const std::vector<Marshallers>& marshallers_;
     OtherValues others_;
     std::vector<Entry> entries_;
     Record record_, part_;
-    bool otherColumns_ = false;  // the columns differ from the previous row
-    bool everChanged_ = false;
+    bool otherFields_ = true;  // the writer does not know the present fields
     bool everLost_ = false;
     std::unique_ptr<RowWriter> writer_;  // last: its thread uses others_
 };

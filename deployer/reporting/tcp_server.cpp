@@ -2,8 +2,6 @@
 // Copyright Oroforge contributors
 #include "tcp_server.hpp"
 
-#include "record.hpp"
-
 #include <rtt/Logger.hpp>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include <climits>
 #include <cstdint>
 #include <exception>
+#include <stdexcept>
 #include <sys/eventfd.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -56,12 +55,11 @@ TcpServer::~TcpServer() {
     counts_->clients = 0;
 }
 
-void TcpServer::begin(const std::vector<std::string>& names) {
-    row_ = std::make_unique<FrameText>(names);
+void TcpServer::fields(const Field& report, const char*, std::size_t) {
+    if (row_) return row_->adopt(report);
+    row_ = std::make_unique<FrameText>(report);
     started_ = wake_ && start();
-    if (!started_)
-        RTT::log(RTT::Error) << "'" << options_.component << "' cannot serve clients: no thread or no file is left"
-                             << RTT::endlog();
+    if (!started_) throw std::runtime_error("no thread or no file is left to serve clients");
 }
 
 void TcpServer::wakeUp() {
@@ -79,9 +77,9 @@ bool TcpServer::anyWantsFrames() {
                        [](const std::unique_ptr<TcpClient>& client) { return client->session.wantsFrames(); });
 }
 
-void TcpServer::format(std::vector<char>&, const char* record, std::size_t size, int digits) {
-    if (static_cast<Tag>(*record) == Tag::Line || !anyWantsFrames()) return;
-    row_->decode(record, size, digits);
+void TcpServer::row(const char* record, std::size_t size) {
+    if (!anyWantsFrames()) return;
+    row_->decode(record, size, digits_);
     bool wake = false;
     {
         const std::lock_guard<std::mutex> lock(mutex_);
@@ -110,7 +108,7 @@ void TcpServer::loop() {
         if (ending_ && !ended_) endAll(now());
         removeClosed(now());
         if (ended_ && clients_.empty()) break;
-        prepare(now());
+        choosePolled(now());
         const int limit = timeout(now());
         lock.unlock();
         const int found = ::poll(polled_.data(), polled_.size(), limit);
@@ -120,7 +118,7 @@ void TcpServer::loop() {
     done_.signal();
 }
 
-void TcpServer::prepare(TcpTime now) {
+void TcpServer::choosePolled(TcpTime now) {
     const bool accepting = !ended_ && now >= acceptFrom_;
     polled_.clear();
     polled_.push_back({wake_.get(), POLLIN, 0});

@@ -4,10 +4,10 @@
 #define ORO_OCL_REPORTING_TCP_SERVER_HPP
 
 #include "frame_text.hpp"
+#include "row_sink.hpp"
 #include "tcp_client.hpp"
 #include "tcp_listener.hpp"
 #include "tcp_session.hpp"
-#include "text_target.hpp"
 
 #include <rtt/Activity.hpp>
 #include <rtt/os/Semaphore.hpp>
@@ -44,18 +44,22 @@ struct TcpOptions {
  * Sockets never block, so no client makes a thread wait. Both threads use the clients under a lock; only the own thread
  * opens and closes sockets.
  */
-class TcpServer final : public TextTarget, private RTT::Activity {
+class TcpServer final : public RowSink, private RTT::Activity {
 public:
     TcpServer(TcpListener listener, const TcpOptions& options, std::shared_ptr<TcpCounts> counts);
     /** Disconnects all clients when they have taken what waits for them, at the latest after 0.2 s. */
     ~TcpServer() override;
 
-    bool wantsNames() const override { return true; }
-    /** Starts the thread. */
-    void begin(const std::vector<std::string>& names) override;
-    /** Sends the row; appends nothing. */
-    void format(std::vector<char>& text, const char* record, std::size_t size, int digits) override;
-    std::string write(const char*, std::size_t) override { return {}; }
+    void prepare(const RowOptions& options) override { digits_ = options.digits; }
+    /** The first time, starts the thread; throws if that is not possible. */
+    void fields(const Field& report, const char* record, std::size_t size) override;
+    /** Sends the row; nothing waits for write(). */
+    void row(const char* record, std::size_t size) override;
+    std::size_t waiting() const override { return 0; }
+    std::string write() override { return {}; }
+    unsigned long rows() const override { return 0; }
+    /** Clients may lose frames anyway. */
+    std::chrono::milliseconds patience() const override { return std::chrono::seconds(2); }
     std::string name() const override { return "TCP port " + std::to_string(listener_.port); }
 
 private:
@@ -67,7 +71,7 @@ private:
     bool sendFrame(TcpClient& client);
     // Called with the lock, by the thread:
     /** Fills polled_. */
-    void prepare(TcpTime now);
+    void choosePolled(TcpTime now);
     /** In milliseconds, for poll(). */
     int timeout(TcpTime now) const;
     /** Serves what poll() found. */
@@ -84,6 +88,7 @@ private:
     const TcpOptions options_;
     const std::shared_ptr<TcpCounts> counts_;
     const Descriptor wake_;  // an eventfd
+    int digits_ = 6;
     bool started_ = false;
     std::unique_ptr<FrameText> row_;  // text: the writer's; names: both
 

@@ -2,7 +2,7 @@
 // Copyright Oroforge contributors
 #include "text_target.hpp"
 
-#include "row_text.hpp"
+#include "report_file.hpp"
 
 #include <rtt/os/own_file.hpp>
 
@@ -11,25 +11,27 @@
 #include <fcntl.h>
 #include <ostream>
 #include <string_view>
-#include <sys/file.h>
 #include <sys/stat.h>
-#include <system_error>
 #include <thread>
 #include <unistd.h>
 
 namespace OCL::reporting {
 namespace {
 
-std::string systemError() { return std::generic_category().message(errno); }
-
-bool isRegular(int file) {
-    struct stat status {};
-    return ::fstat(file, &status) == 0 && S_ISREG(status.st_mode);
-}
-
 // Two seconds.
 constexpr int kTries = 40;
 constexpr std::chrono::milliseconds kPause{50};
+
+/** The number of characters that belong to whole rows. A line end inside quotation marks does not end a row. */
+std::size_t lastRowEnd(std::string_view rows) {
+    std::size_t end = 0;
+    bool quoted = false;
+    for (std::size_t i = 0; i != rows.size(); ++i) {
+        quoted ^= rows[i] == '"';
+        if (rows[i] == '\n' && !quoted) end = i + 1;
+    }
+    return end;
+}
 
 bool isPipe(const std::string& name) {
     struct stat status {};
@@ -61,7 +63,7 @@ public:
 private:
     /** Removes the part of a row after the last whole one from a file; a pipe has passed it on. */
     void takeBack(std::string_view written) {
-        const std::size_t whole = written.rfind('\n') + 1;  // npos + 1 is 0
+        const std::size_t whole = lastRowEnd(written);
         struct stat status {};
         if (whole == written.size() || ::fstat(file_, &status) != 0 || !S_ISREG(status.st_mode)) return;
         if (::ftruncate(file_, status.st_size - static_cast<off_t>(written.size() - whole)) != 0) {
@@ -91,10 +93,6 @@ private:
 
 }  // namespace
 
-void TextTarget::format(std::vector<char>& text, const char* record, std::size_t size, int digits) {
-    appendRow(text, record, size, digits);
-}
-
 std::unique_ptr<TextTarget> openFile(const std::string& name, std::string& error) {
     // Without O_NONBLOCK, opening a pipe would block start() until somebody reads from it.
     constexpr int kFlags = O_WRONLY | O_CREAT | O_APPEND | O_NONBLOCK;
@@ -111,11 +109,7 @@ std::unique_ptr<TextTarget> openFile(const std::string& name, std::string& error
     (void)::fcntl(file, F_SETFL, O_APPEND);  // writes wait for the reader
     std::unique_ptr<TextTarget> target(new FileTarget(file, name));
     if (!isRegular(file)) return target;
-    // Two reports in a file would destroy each other's rows. File systems without locks do not show that.
-    if (::flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
-        error = "another reporter is writing to it";
-    else if (::ftruncate(file, 0) != 0)
-        error = systemError();
+    error = claim(file);
     if (!error.empty()) target.reset();
     return target;
 }

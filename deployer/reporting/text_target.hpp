@@ -7,7 +7,6 @@
 #include <iosfwd>
 #include <memory>
 #include <string>
-#include <vector>
 
 namespace OCL::reporting {
 
@@ -15,12 +14,6 @@ namespace OCL::reporting {
 class TextTarget {
 public:
     virtual ~TextTarget() = default;
-    /** Whether records have names (see record.hpp). */
-    virtual bool wantsNames() const { return false; }
-    /** Called once, before all rows, with the names of what is reported. */
-    virtual void begin(const std::vector<std::string>& /*names*/) {}
-    /** Appends the text of a record for write(). */
-    virtual void format(std::vector<char>& text, const char* record, std::size_t size, int digits);
     /** Writes whole lines. Returns the reason of a failure, or nothing. */
     virtual std::string write(const char* text, std::size_t size) = 0;
     /** The name of the target in errors. */

@@ -19,9 +19,32 @@ using testing::Not;
 
 const std::string kGreeting = "100 Orocos 1.0 TcpReporting Server 1.0\n";
 
-void addNumber(Record& record, const char* name, double value) {
-    record.text(Tag::Name, name);
-    record.value(Tag::Real, value);
+Field named(const std::string& name, Field::Kind kind = Field::Kind::Value, std::vector<Field> parts = {}) {
+    Field field;
+    field.name = name;
+    field.kind = kind;
+    field.parts = std::move(parts);
+    return field;
+}
+
+Field group(const std::string& name, std::vector<Field> parts) {
+    return named(name, Field::Kind::Group, std::move(parts));
+}
+
+Field sequence(const std::string& name, Field element) {
+    return named(name, Field::Kind::Sequence, {std::move(element)});
+}
+
+/** What the rows of the tests consist of. */
+Field report() {
+    return group("", {named("TimeStamp"), named("M.speed"),
+                      group("M.place", {named("x"), sequence("far", named("")), named("")}), named("M.late"),
+                      named("M.two words")});
+}
+
+void putNumbers(Record& record, std::initializer_list<std::int64_t> values) {
+    record.value(Tag::Sequence, static_cast<std::uint32_t>(values.size()));
+    for (const std::int64_t value : values) record.value(Tag::Signed, value);
 }
 
 class Session : public testing::Test {
@@ -39,26 +62,21 @@ protected:
     }
     void greet() { EXPECT_EQ("101 OK\n", say("VERSION 1.0\n")); }
     std::string frame(double speed = 1.5) {
-        Record record(true);
-        addNumber(record, "TimeStamp", 0.25);
-        addNumber(record, "M.speed", speed);
-        record.text(Tag::Name, "M.place");
+        Record record;
+        record.value(Tag::Real, 0.25);
+        record.value(Tag::Real, speed);
         record.tag(Tag::Bag);
-        addNumber(record, "x", 1);
-        record.text(Tag::Name, "far");
-        record.tag(Tag::Bag);
-        record.value(Tag::Signed, std::int64_t{7});
-        record.value(Tag::Signed, std::int64_t{8});
-        record.tag(Tag::End);
-        record.text(Tag::Name, "");
+        record.value(Tag::Real, 1.0);
+        putNumbers(record, {7, 8});
         record.value(Tag::Bool, true);
-        record.tag(Tag::End);
+        record.tag(Tag::Absent);
+        record.tag(Tag::Absent);
         row.decode(record.data(), record.size(), 6);
         EXPECT_TRUE(session.addFrame(row));
         return take();
     }
 
-    FrameText row{{"TimeStamp", "M.speed", "M.place", "M.late", "M.two words"}};
+    FrameText row{report()};
     TcpSession session{row.names(), TcpLimits()};
 };
 
@@ -178,28 +196,78 @@ TEST_F(Session, DropsLongLines) {
 }
 
 TEST_F(Session, KeepsNamesAndValuesOnTheirLines) {
-    FrameText odd({"TimeStamp", "M.a\nb"});
+    FrameText odd(group("", {named("TimeStamp"), group("M.a\nb", {named("c\r\n203 d"), named("e"), named("empty")})}));
     TcpSession client(odd.names(), TcpLimits());
     client.receive("VERSION 1.0\nHEADERS\nSUBSCRIBE M.a\\nb\nSUBSCRIBE M.\rx\n");
     EXPECT_THAT(client.backlog(), EndsWith("305 M.a\\nb\n306 End of list\n302 M.a\\nb\n301 M.\\rx\n"));
     client.sent(client.backlog().size());
-    Record record(true);
-    addNumber(record, "TimeStamp", 0);
-    record.text(Tag::Name, "M.a\nb");
+    Record record;
+    record.value(Tag::Real, 0.0);
     record.tag(Tag::Bag);
-    record.text(Tag::Name, "c\r\n203 d");
     record.text(Tag::Text, std::string_view("1\n203 0 -- end of frame\r\x01\t\0.", 28));
-    record.text(Tag::Name, "e");
     record.value(Tag::Char, '\n');
-    record.text(Tag::Name, "empty");
     record.text(Tag::Text, "");
-    record.tag(Tag::End);
     odd.decode(record.data(), record.size(), 6);
     EXPECT_TRUE(client.addFrame(odd));
     EXPECT_EQ(
         "201 0 -- begin of frame\n202 M.a\\nb\n202 c\\r\\n203 d\n205 1\\n203 0 -- end of frame\\r\\x01\t\\x00.\n"
         "202 e\n205 \\n\n202 empty\n205 \n203 0 -- end of frame\n",
         client.backlog());
+}
+
+TEST_F(Session, WritesValuesAsTheyAre) {
+    FrameText words(group("", {named("TimeStamp"), named("M.words")}));
+    TcpSession client(words.names(), TcpLimits());
+    client.receive("VERSION 1.0\nSUBSCRIBE M.words\n");
+    client.sent(client.backlog().size());
+    Record record;
+    record.value(Tag::Real, 0.0);
+    record.text(Tag::Text, " two  \"words\", #1\\n\tand more ");
+    words.decode(record.data(), record.size(), 6);
+    EXPECT_TRUE(client.addFrame(words));
+    EXPECT_EQ("201 0 -- begin of frame\n202 M.words\n205  two  \"words\", #1\\n\tand more \n203 0 -- end of frame\n",
+              client.backlog());
+}
+
+TEST_F(Session, SendsAsManyElementsAsARowHas) {
+    FrameText words(group("", {sequence("M.far", group("", {named("x"), sequence("", named(""))}))}));
+    TcpSession client(words.names(), TcpLimits());
+    client.receive("VERSION 1.0\nSUBSCRIBE M.far\n");
+    const std::string elements[] = {"202 0\n202 x\n205 3\n202 2\n202 0\n205 7\n",
+                                    "202 1\n202 x\n205 3\n202 2\n202 0\n205 7\n"};
+    for (const std::uint32_t count : {0U, 1U, 2U, 0U}) {
+        Record record;
+        record.value(Tag::Sequence, count);
+        std::string expected = "-- begin of frame\n202 M.far\n";
+        for (std::uint32_t i = 0; i != count; ++i) {
+            record.tag(Tag::Bag);
+            record.value(Tag::Signed, std::int64_t{3});
+            putNumbers(record, {7});
+            expected += elements[i];
+        }
+        words.decode(record.data(), record.size(), 6);
+        client.sent(client.backlog().size());
+        EXPECT_TRUE(client.addFrame(words));
+        EXPECT_THAT(client.backlog(), HasSubstr(expected + "203 "));
+    }
+}
+
+TEST_F(Session, TakesOtherMembersFromOneRowToTheNext) {
+    FrameText bag(group("", {group("M.bag", {})}));
+    TcpSession client(bag.names(), TcpLimits());
+    client.receive("VERSION 1.0\nSUBSCRIBE M.bag\n");
+    Record record;
+    record.tag(Tag::Bag);
+    bag.decode(record.data(), record.size(), 6);
+    client.sent(client.backlog().size());
+    EXPECT_TRUE(client.addFrame(bag));
+    EXPECT_EQ("201 0 -- begin of frame\n202 M.bag\n203 0 -- end of frame\n", client.backlog());
+    bag.adopt(group("", {group("M.bag", {named("new")})}));
+    record.text(Tag::Text, "here");
+    bag.decode(record.data(), record.size(), 6);
+    client.sent(client.backlog().size());
+    EXPECT_TRUE(client.addFrame(bag));
+    EXPECT_EQ("201 1 -- begin of frame\n202 M.bag\n202 new\n205 here\n203 1 -- end of frame\n", client.backlog());
 }
 
 TEST_F(Session, DropsWholeFramesOfAClientThatDoesNotTakeThem) {
