@@ -199,7 +199,8 @@ TEST_F(NetcdfReport, NamesThatNetcdfForbidsBecomeOthersAndAreReported) {
          {std::string("a/b"), std::string("a_b"), std::string("ä b"), longName, longName + "2"})
         machine.limits.ownProperty(new RTT::Property<int>(name, "", 1));
     machine.limits.ownProperty(new RTT::Property<int>("twice", "", 2));
-    machine.limits.add(new RTT::Property<int>("twice", "", 3));
+    RTT::Property<int> twice("twice", "", 3);
+    machine.limits.add(&twice);
     RTT::TaskContext strange("-odd name ");
     RTT::OutputPort<double> port("port/ ");
     strange.ports()->addPort(port);
