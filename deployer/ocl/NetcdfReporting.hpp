@@ -26,7 +26,8 @@ public:
     ~NetcdfReporting() override;
 
 protected:
-    /** False, with an error in the log, if the file cannot be opened or another reporter writes to it. */
+    /** False, with an error in the log, if the file cannot be opened, another reporter writes to it, or the library of
+        NetCDF is not installed. */
     bool startHook() override;
 
 private:

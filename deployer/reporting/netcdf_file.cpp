@@ -2,7 +2,6 @@
 // Copyright Oroforge contributors
 #include "netcdf_file.hpp"
 
-#include "classic_header.hpp"
 #include "report_file.hpp"
 
 #include <rtt/os/own_file.hpp>
@@ -12,23 +11,42 @@
 #include <cstdio>
 #include <fcntl.h>
 #include <filesystem>
+#include <mutex>
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
+#include <utility>
 
 namespace OCL::reporting {
 namespace {
 
-/** Writes all of it; `done` tells how much that was. */
-std::string writeAt(int file, const std::string& bytes, std::uint64_t place, std::size_t& done) {
-    for (done = 0; done != bytes.size();) {
-        const ssize_t part = ::pwrite(file, bytes.data() + done, bytes.size() - done, static_cast<off_t>(place + done));
-        if (part < 0 && errno == EINTR) continue;
-        if (part < 0) return systemError();
-        done += static_cast<std::size_t>(part);
-    }
-    return {};
+struct Failure {
+    int status;
+};
+
+void must(int status) {
+    if (status != NC_NOERR) throw Failure{status};
 }
+
+/** The library is not safe for two threads, even with two files. */
+std::mutex library;
+
+template <class Work>
+std::string call(Work work) {
+    const std::lock_guard<std::mutex> lock(library);
+    try {
+        work();
+        return {};
+    } catch (const Failure& failure) {
+        return nc_strerror(failure.status);
+    }
+}
+
+void put(int file, int variable, const NetcdfText& text) {
+    must(nc_put_att_text(file, variable, text.name.c_str(), text.value.size(), text.value.data()));
+}
+
+constexpr std::uint64_t roundedUp(std::uint64_t size, std::uint64_t unit) { return (size + unit - 1) / unit * unit; }
 
 }  // namespace
 
@@ -47,50 +65,105 @@ std::unique_ptr<NetcdfFile> NetcdfFile::open(const std::string& name, std::strin
     return result;
 }
 
-NetcdfFile::~NetcdfFile() { ::close(file_); }
-
-std::string NetcdfFile::begin(const std::string& header, std::size_t recordSize) {
-    if (::ftruncate(file_, 0) != 0) return systemError();
-    begin_ = header.size();
-    recordSize_ = recordSize;
-    records_ = 0;
-    std::size_t done = 0;
-    return writeAt(file_, header, 0, done);
+NetcdfFile::~NetcdfFile() {
+    if (id_ >= 0) (void)call([this] { must(nc_close(id_)); });  // all rows are written before
+    ::close(file_);
 }
 
-std::string NetcdfFile::append(const std::string& records, std::size_t& written) {
-    std::size_t done = 0;
-    std::string error = writeAt(file_, records, size(), done);
-    written = done / recordSize_;
-    if (const std::string next = setRecords(records_ + written); !next.empty()) return error.empty() ? next : error;
-    if (!error.empty() && ::ftruncate(file_, static_cast<off_t>(size())) != 0) error += ", " + systemError();
+std::string NetcdfFile::begin(std::vector<NetcdfVariable>& variables, const std::vector<NetcdfText>& attributes) {
+    rows_ = rowSize_ = 0;
+    elements_.clear();
+    std::size_t block = kNetcdfBlock;
+    std::string error = call([&] {
+        if (id_ >= 0) must(nc_close(std::exchange(id_, -1)));
+        // The library opens files by name, and takes some names for a URL or a path of Windows. This one is the file
+        // that open() has opened, whatever has become of its name.
+        const std::string name = "/proc/self/fd/" + std::to_string(file_);
+        must(nc__create(name.c_str(), NC_64BIT_DATA, 0, &block, &id_));
+        int time = 0;
+        must(nc_def_dim(id_, "time", NC_UNLIMITED, &time));
+        for (const NetcdfText& attribute : attributes) put(id_, NC_GLOBAL, attribute);
+        for (NetcdfVariable& variable : variables) define(variable, time);
+        // The buffer has two blocks at most. So no row shares it with the head, and the number of rows in the head is
+        // never written before the rows.
+        must(nc__enddef(id_, 0, 4, 0, 2 * block));
+        must(nc_sync(id_));
+    });
+    struct stat status {};
+    if (error.empty() && ::fstat(file_, &status) != 0) error = systemError();
+    begin_ = roundedUp(static_cast<std::uint64_t>(status.st_size), 2 * block);
     return error;
 }
 
-std::string NetcdfFile::setRecords(std::uint64_t number) {
-    std::string bytes;
-    appendBig(bytes, ClassicType::UInt64, number);
-    std::string error = change(kRecordCountPlace, bytes);
-    if (error.empty()) records_ = number;
+void NetcdfFile::define(NetcdfVariable& variable, int time) {
+    int dimensions[] = {time, 0};
+    const bool isLong = !variable.dimension.empty();
+    if (isLong) must(nc_def_dim(id_, variable.dimension.c_str(), variable.elements, &dimensions[1]));
+    int id = 0;
+    must(nc_def_var(id_, variable.name.c_str(), variable.type, isLong ? 2 : 1, dimensions, &id));
+    for (const NetcdfText& text : variable.texts) put(id_, id, text);
+    if (!variable.flags.empty())
+        must(nc_put_att_longlong(id_, id, "flag_values", variable.type, variable.flags.size(), variable.flags.data()));
+    int isOff = 0;
+    char fill[sizeof(std::uint64_t)];
+    must(nc_inq_var_fill(id_, id, &isOff, fill));
+    if (variable.hasFill) must(nc_put_att(id_, id, "_FillValue", variable.type, 1, fill));
+    variable.empty.clear();
+    variable.empty.reserve(variable.elements * variable.bytes);
+    for (std::size_t i = 0; i != variable.elements; ++i) variable.empty.append(fill, variable.bytes);
+    elements_.push_back(variable.elements);
+    rowSize_ += roundedUp(variable.empty.size(), 4);
+}
+
+/** Makes the file longer. On a full disk, the library would write the head of rows that are not there. */
+std::string NetcdfFile::reserve(std::size_t rows) {
+    if (rows == 0) return {};
+    int error = EINTR;
+    while (error == EINTR)
+        error = ::posix_fallocate(file_, static_cast<off_t>(size()), static_cast<off_t>(rows * rowSize_));
+    if (error == 0) return {};
+    std::string text = std::generic_category().message(error);
+    if (::ftruncate(file_, static_cast<off_t>(size())) != 0) text += ", " + systemError();
+    return text;
+}
+
+std::string NetcdfFile::append(const std::vector<NetcdfVariable>& variables, std::size_t rows) {
+    if (std::string error = reserve(rows); !error.empty()) return error;
+    std::string error = call([&] {
+        must(nc_set_fill(id_, NC_NOFILL, nullptr));  // every row has all variables
+        int id = 0;
+        for (const NetcdfVariable& variable : variables) {
+            const std::size_t begin[] = {rows_, 0}, count[] = {rows, variable.elements};
+            must(nc_put_vara(id_, id++, begin, count, variable.waiting.data()));
+        }
+        must(nc_sync(id_));
+    });
+    if (error.empty()) rows_ += rows;
     return error;
 }
 
-std::string NetcdfFile::change(std::size_t place, const std::string& bytes) {
-    std::size_t done = 0;
-    return writeAt(file_, bytes, place, done);
+std::string NetcdfFile::copy(const NetcdfFile& from) {
+    if (std::string error = reserve(from.rows_); !error.empty()) return error;
+    const std::size_t some = std::max<std::size_t>(1, kNetcdfBlock / rowSize_);
+    std::string values(some * from.rowSize_, '\0');
+    std::string error = call([&] {
+        for (std::size_t row = 0; row < from.rows_; row += some)
+            for (std::size_t i = 0; i != from.elements_.size(); ++i) {
+                const std::size_t begin[] = {row, 0}, count[] = {std::min(some, from.rows_ - row), from.elements_[i]};
+                must(nc_get_vara(from.id_, static_cast<int>(i), begin, count, values.data()));
+                must(nc_put_vara(id_, static_cast<int>(i), begin, count, values.data()));
+            }
+        must(nc_sync(id_));
+    });
+    if (error.empty()) rows_ = from.rows_;
+    return error;
 }
 
-std::string NetcdfFile::read(std::uint64_t first, std::size_t count, std::string& records) const {
-    records.resize(static_cast<std::size_t>(std::min<std::uint64_t>(count, records_ - first)) * recordSize_);
-    for (std::size_t done = 0; done != records.size();) {
-        const ssize_t part = ::pread(file_, records.data() + done, records.size() - done,
-                                     static_cast<off_t>(begin_ + first * recordSize_ + done));
-        if (part < 0 && errno == EINTR) continue;
-        if (part < 0) return systemError();
-        if (part == 0) return "somebody has made it shorter";
-        done += static_cast<std::size_t>(part);
-    }
-    return {};
+std::string NetcdfFile::change(const NetcdfText& attribute) {
+    return call([&] {
+        put(id_, NC_GLOBAL, attribute);
+        must(nc_sync(id_));
+    });
 }
 
 std::string NetcdfFile::lost() const {
@@ -99,7 +172,7 @@ std::string NetcdfFile::lost() const {
     if (::fstat(file_, &mine) != 0) return systemError();
     if (::stat(path_.c_str(), &named) != 0) return errno == ENOENT ? "somebody has removed it" : systemError();
     if (mine.st_dev != named.st_dev || mine.st_ino != named.st_ino) return "somebody has put another file in its place";
-    return static_cast<std::uint64_t>(mine.st_size) < size() ? "somebody has made it shorter" : "";
+    return rows_ != 0 && static_cast<std::uint64_t>(mine.st_size) < size() ? "somebody has made it shorter" : "";
 }
 
 std::string NetcdfFile::replace(NetcdfFile& other) {

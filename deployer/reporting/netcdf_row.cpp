@@ -25,35 +25,47 @@ std::uint64_t bitsOf(Tag tag, RecordReader& record) {
     }
 }
 
+template <class T>
+void store(char* at, std::uint64_t bits) {
+    const T number = static_cast<T>(bits);
+    std::memcpy(at, &number, sizeof number);
+}
+
+void store(char* at, std::size_t bytes, std::uint64_t bits) {
+    switch (bytes) {
+        case 1: return store<std::uint8_t>(at, bits);
+        case 2: return store<std::uint16_t>(at, bits);
+        case 4: return store<std::uint32_t>(at, bits);
+        default: return store<std::uint64_t>(at, bits);
+    }
+}
+
 }  // namespace
 
-void NetcdfRow::begin(std::string& records) {
-    records_ = &records;
-    begin_ = records.size();
-    records += layout_.emptyRecord();
+void NetcdfRow::begin() {
+    layout_.addRow();
     cut_ = false;
     wanted_.assign(columns_.all().size(), 0);
 }
 
-const NetcdfLayout::Place* NetcdfRow::room(std::size_t column, std::size_t elements) {
+char* NetcdfRow::room(std::size_t column, std::size_t elements) {
     if (column >= wanted_.size()) wanted_.resize(column + 1);
     wanted_[column] = elements;
-    const bool known = column < layout_.places().size();
-    if (known && elements <= layout_.places()[column].elements) return &layout_.places()[column];
+    if (column < layout_.variables().size()) {
+        NetcdfVariable& variable = layout_.variables()[column];
+        if (elements * variable.bytes <= variable.empty.size())
+            return variable.waiting.data() + variable.waiting.size() - variable.empty.size();
+    }
     cut_ = true;
     return nullptr;
 }
 
-void NetcdfRow::putNumber(const NetcdfLayout::Place* place, std::size_t element, std::uint64_t bits) {
-    if (!place) return;
-    const std::size_t size = sizeOf(place->type);
-    char* const at = records_->data() + begin_ + place->begin + element * size;
-    for (std::size_t i = 0; i != size; ++i) at[i] = static_cast<char>(bits >> (8 * (size - 1 - i)));
+void NetcdfRow::putNumber(std::size_t column, std::uint64_t bits) {
+    if (char* const at = room(column, 1)) store(at, layout_.variables()[column].bytes, bits);
 }
 
 void NetcdfRow::putText(std::size_t column, std::string_view text) {
-    if (const NetcdfLayout::Place* const place = room(column, text.size()))
-        std::copy(text.begin(), text.end(), records_->data() + begin_ + place->begin);
+    if (char* const at = room(column, text.size())) std::copy(text.begin(), text.end(), at);
 }
 
 void NetcdfRow::putOther(std::size_t column, RecordReader& record) {
@@ -63,7 +75,7 @@ void NetcdfRow::putOther(std::size_t column, RecordReader& record) {
     if (type.number != Number::Enumeration) return putText(column, other->text(bytes));
     alignas(std::max_align_t) char value[sizeof(std::uint64_t)] = {};
     std::memcpy(value, bytes, std::min(other->size(), sizeof value));
-    putNumber(room(column, 1), 0, static_cast<std::uint64_t>(type.numbers->get(value)));
+    putNumber(column, static_cast<std::uint64_t>(type.numbers->get(value)));
 }
 
 void NetcdfRow::value(std::size_t column, Tag tag, RecordReader& record) {
@@ -72,17 +84,19 @@ void NetcdfRow::value(std::size_t column, Tag tag, RecordReader& record) {
     else if (tag == Tag::Other)
         putOther(column, record);
     else
-        putNumber(room(column, 1), 0, bitsOf(tag, record));
+        putNumber(column, bitsOf(tag, record));
 }
 
 void NetcdfRow::elements(std::size_t column, std::uint32_t count, RecordReader& record) {
-    const NetcdfLayout::Place* const place = room(column, count);
-    for (std::uint32_t i = 0; i != count; ++i) {
+    char* at = room(column, count);
+    const std::size_t bytes = at ? layout_.variables()[column].bytes : 0;
+    for (std::uint32_t i = 0; i != count; ++i, at += bytes) {
         const Tag tag = record.tag();
-        putNumber(place, i, bitsOf(tag, record));
+        const std::uint64_t bits = bitsOf(tag, record);
+        if (at) store(at, bytes, bits);
     }
 }
 
-void NetcdfRow::count(std::size_t column, std::uint32_t count) { putNumber(room(column, 1), 0, count); }
+void NetcdfRow::count(std::size_t column, std::uint32_t count) { putNumber(column, count); }
 
 }  // namespace OCL::reporting

@@ -3,6 +3,7 @@
 #include "netcdf_sink.hpp"
 
 #include "netcdf_row.hpp"
+#include "netcdf_writer.hpp"
 
 #include <rtt/Logger.hpp>
 
@@ -17,24 +18,12 @@ namespace {
 
 /** How often the sink looks whether the file is still there. */
 constexpr std::chrono::seconds kLook(1);
-constexpr std::size_t kCopied = std::size_t(1) << 20;  // bytes at a time
-const char* const kContinuedIn = "continued_in";
 
 std::string now() {
     const std::time_t seconds = std::time(nullptr);
     std::tm parts{};
     char text[32];
     return {text, std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", gmtime_r(&seconds, &parts))};
-}
-
-/** The place of the value of an attribute of the file. */
-std::size_t placeOfText(const std::string& header, const std::string& name) {
-    std::string begin;
-    appendBig(begin, ClassicType::UInt64, name.size());
-    begin += name;
-    begin.append((4 - name.size() % 4) % 4, '\0');
-    appendBig(begin, ClassicType::UInt, static_cast<std::uint32_t>(ClassicType::Char));
-    return header.find(begin) + begin.size() + sizeof(std::uint64_t);
 }
 
 class NetcdfSink : public RowSink {
@@ -52,42 +41,43 @@ public:
     void fields(const Field& report, const char* record, std::size_t size) override {
         columns_->adopt(report);
         take(record, size);
-        records_.resize(records_.size() - layout_.recordSize());
+        if (error_.empty()) layout_.takeBackRow();
     }
     void row(const char* record, std::size_t size) override {
         take(record, size);
         ++rows_;
+        if (waiting() >= kNetcdfBlock) flush();
     }
-    std::size_t waiting() const override { return records_.size(); }
+    std::size_t waiting() const override { return rows_ * file_->rowSize(); }
     std::string write() override {
-        if (error_.empty()) error_ = flush();
+        flush();
         return error_;
     }
     unsigned long rows() const override { return rows_; }
     std::string name() const override { return "file '" + file_->path() + "'"; }
 
 private:
-    /** Appends a record to those that wait; first makes room if it needs some. */
+    /** Adds a row to those that wait; first makes room if it needs some. */
     void take(const char* record, std::size_t size) {
+        if (!error_.empty()) return;
         put(record, size);
-        const bool fits = !row_->isCut() && columns_->all().size() == layout_.places().size();
-        if (fits || !error_.empty()) return;
-        records_.resize(records_.size() - layout_.recordSize());
-        error_ = makeRoom();
-        put(record, size);
+        if (!row_->isCut() && columns_->all().size() == layout_.variables().size()) return;
+        layout_.takeBackRow();
+        flush();
+        if (error_.empty()) error_ = makeRoom();
+        if (error_.empty()) put(record, size);
     }
     void put(const char* record, std::size_t size) {
-        row_->begin(records_);
+        row_->begin();
         columns_->walk(RecordReader(record, size), *row_);
     }
 
-    std::string flush() {
-        std::string error = look();
-        std::size_t written = 0;
-        if (error.empty() && !records_.empty()) error = file_->append(records_, written);
-        rows_ -= std::min<unsigned long>(rows_, written);
-        records_.clear();
-        return error;
+    /** Writes the rows that wait. After an error, they and those that follow are lost. */
+    void flush() {
+        if (error_.empty()) error_ = look();
+        if (error_.empty() && rows_ != 0) error_ = file_->append(layout_.variables(), rows_);
+        layout_.clearRows();
+        if (error_.empty()) rows_ = 0;
     }
     std::string look() {
         const auto time = std::chrono::steady_clock::now();
@@ -97,26 +87,23 @@ private:
     }
 
     std::string makeRoom() {
-        if (std::string error = flush(); !error.empty()) return error;
-        const std::vector<NetcdfLayout::Place> earlier = layout_.places();
-        const std::size_t earlierSize = layout_.recordSize();
         layout_.grow(columns_->all(), row_->wanted(), options_.onlyNewData);
         tellNames();
-        if (file_->records() == 0) return begin(*file_, {});
-        return file_->size() > rewrittenUpTo_ ? goOn() : rewrite(earlier, earlierSize);
+        if (file_->rows() == 0) return begin(*file_);
+        return file_->size() > rewrittenUpTo_ ? goOn() : rewrite();
     }
-    std::string begin(NetcdfFile& file, const std::string& continues) {
-        std::vector<ClassicAttribute> attributes = {
-            ClassicAttribute::text("Conventions", "CF-1.8"),
-            ClassicAttribute::text("title", "Report of " + options_.component),
-            ClassicAttribute::text("date_created", created_),
-            // Room for a name that is known later.
-            ClassicAttribute::text(kContinuedIn, std::string(nameOf(~0U).filename().string().size(), '\0')),
-        };
-        if (!continues.empty()) attributes.push_back(ClassicAttribute::text("continues", continues));
-        const std::string header = classicHeader(layout_.variables(), attributes);
-        continuedIn_ = placeOfText(header, kContinuedIn);
-        return file.begin(header, layout_.recordSize());
+    std::string begin(NetcdfFile& file) {
+        std::vector<NetcdfText> attributes = {{"Conventions", "CF-1.8"},
+                                              {"title", "Report of " + options_.component},
+                                              {"date_created", created_},
+                                              continuedIn({})};
+        if (!continues_.empty()) attributes.push_back({"continues", continues_});
+        return file.begin(layout_.variables(), attributes);
+    }
+    /** With room for a name that is known later. */
+    NetcdfText continuedIn(std::string name) const {
+        name.resize(nameOf(~0U).filename().string().size());
+        return {"continued_in", std::move(name)};
     }
     std::filesystem::path nameOf(unsigned number) const {
         const std::filesystem::path first(first_);
@@ -124,23 +111,15 @@ private:
                (first.stem().string() + '.' + std::to_string(number) + first.extension().string());
     }
 
-    /** Copies the file into one with the present layout, which then takes its place. */
-    std::string rewrite(const std::vector<NetcdfLayout::Place>& earlier, std::size_t earlierSize) {
+    /** Copies the file into one with the present layout, which then takes its place: the library would move rows
+        within the file, which would be unreadable if the process ended meanwhile. */
+    std::string rewrite() {
         std::string error;
         const std::string name = file_->path() + ".new";
         std::unique_ptr<NetcdfFile> next = NetcdfFile::open(name, error);
         if (!next) return "could not make '" + name + "', which gives its variables more room: " + error;
-        error = begin(*next, continues_);
-        const std::size_t some = std::max<std::size_t>(1, kCopied / earlierSize);
-        std::string from, to;
-        for (std::uint64_t at = 0; error.empty() && at < file_->records(); at += some) {
-            error = file_->read(at, some, from);
-            to.clear();
-            for (std::size_t place = 0; error.empty() && place != from.size(); place += earlierSize)
-                layout_.appendConverted(to, from.data() + place, earlier);
-            std::size_t written = 0;
-            if (error.empty()) error = next->append(to, written);
-        }
+        error = begin(*next);
+        if (error.empty()) error = next->copy(*file_);
         if (error.empty()) error = next->replace(*file_);
         if (error.empty())
             file_ = std::move(next);
@@ -155,10 +134,9 @@ private:
         std::string error;
         std::unique_ptr<NetcdfFile> next = NetcdfFile::open(name.string(), error);
         if (!next) return "it goes on in '" + name.string() + "', which could not be opened: " + error;
-        const std::string before = std::filesystem::path(file_->path()).filename().string();
-        error = file_->change(continuedIn_, name.filename().string());
-        continues_ = before;
-        if (error.empty()) error = begin(*next, before);
+        error = file_->change(continuedIn(name.filename().string()));
+        continues_ = std::filesystem::path(file_->path()).filename().string();
+        if (error.empty()) error = begin(*next);
         file_ = std::move(next);
         RTT::log(RTT::Warning) << "the report of '" << options_.component << "' goes on in file '" << name.string()
                                << "', because a sequence, text or bag has grown" << RTT::endlog();
@@ -184,11 +162,9 @@ private:
     std::unique_ptr<Columns> columns_;
     NetcdfLayout layout_;
     std::unique_ptr<NetcdfRow> row_;
-    std::string records_;     // those that wait
-    unsigned long rows_ = 0;  // how many of them are rows
+    std::size_t rows_ = 0;  // that wait
     std::string error_;
     std::string continues_;  // the file before
-    std::size_t continuedIn_ = 0;
     unsigned number_ = 1;
     std::size_t told_ = 0;  // names
     std::chrono::steady_clock::time_point looked_ = std::chrono::steady_clock::now();
@@ -201,3 +177,8 @@ std::unique_ptr<RowSink> netcdfSink(std::unique_ptr<NetcdfFile> file, std::uint6
 }
 
 }  // namespace OCL::reporting
+
+OCL::reporting::RowSink* oclNetcdfSink(const std::string& file, std::string& error) {
+    auto opened = OCL::reporting::NetcdfFile::open(file, error);
+    return opened ? OCL::reporting::netcdfSink(std::move(opened)).release() : nullptr;
+}

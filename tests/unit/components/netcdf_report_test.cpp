@@ -199,8 +199,8 @@ TEST_F(NetcdfReport, NamesThatNetcdfForbidsBecomeOthersAndAreReported) {
          {std::string("a/b"), std::string("a_b"), std::string("ä b"), longName, longName + "2"})
         machine.limits.ownProperty(new RTT::Property<int>(name, "", 1));
     machine.limits.ownProperty(new RTT::Property<int>("twice", "", 2));
-    static RTT::Property<int> second("twice", "", 3);  // ownProperty() would replace the first one
-    machine.limits.add(&second);
+    RTT::Property<int> twice("twice", "", 3);
+    machine.limits.add(&twice);
     RTT::TaskContext strange("-odd name ");
     RTT::OutputPort<double> port("port/ ");
     strange.ports()->addPort(port);

@@ -8,6 +8,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <filesystem>
 #include <string>
 #include <thread>
 
@@ -96,6 +97,7 @@ TEST_F(Readers, PythonReadsCsvWithAllDigitsAndTexts) {
 }
 
 TEST_F(Readers, NetcdfFilesHaveAllRowsUpToTheKill) {
+    if (!WRITES_NETCDF) GTEST_SKIP() << "libnetcdf-dev was not installed";
     if (!has("ncdump")) GTEST_SKIP() << "ncdump is not installed";
     for (const char* decompose : {"0", "1"}) {
         reportAndKill("NetcdfReporting", property("ReportFile", "r.nc") +
@@ -122,6 +124,30 @@ TEST_F(Readers, NetcdfFilesHaveAllRowsUpToTheKill) {
                                 "print('good', c[-1] > 100)\n"});
         EXPECT_EQ("good True\n", outcome.out) << outcome.err;
     }
+}
+
+/** Without the module, as where a Debian package is not installed. */
+TEST_F(Readers, NetcdfReportsDoNotStartWithoutTheirModule) {
+    if (!WRITES_NETCDF) GTEST_SKIP() << "libnetcdf-dev was not installed";
+    const std::filesystem::path ocl = directory_ / "orocos/gnulinux/ocl";
+    std::filesystem::create_directories(ocl);
+    for (const auto& library : std::filesystem::directory_iterator(OCL_FOLDER))
+        if (library.path().filename().string().find("-reporting") != std::string::npos)
+            std::filesystem::copy(library.path(), ocl);
+    directory_.write("app.ops",
+                     "import(\"ocl\")\nloadComponent(\"r\", \"OCL::NetcdfReporting\")\naddPeer(\"r\", \"Deployer\")\n"
+                     "r.reportData(\"Deployer\", \"AutoUnload\")\nr.configure()\nr.start()\n");
+    Command command;
+    command.program = DEPLOYER_PROGRAM;
+    command.arguments = {"-s", "app.ops"};
+    command.directory = directory_.path();
+    command.environment = {{"RTT_COMPONENT_PATH", directory_ / "orocos"}, {"ORO_LOGFILE", "/dev/null"}};
+    const Outcome outcome = run(command);
+    EXPECT_THAT(outcome.err, HasSubstr("could not create 'reports.nc' for reporting: cannot load '" +
+                                       (ocl / "netcdf/libocl-netcdf-writer-gnulinux.so").string() +
+                                       "': cannot open shared object file: No such file or directory"));
+    EXPECT_THAT(outcome.err, HasSubstr("libnetcdf19"));
+    EXPECT_FALSE(std::filesystem::exists(directory_ / "reports.nc"));
 }
 
 }  // namespace

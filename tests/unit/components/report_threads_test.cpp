@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 // A reporter in its own thread, while others write, change what is reported, and start and stop it.
+#include "repeated.hpp"
 #include "reporter_fixture.hpp"
 
-#include <ocl/NetcdfReporting.hpp>
 #include <rtt/Activity.hpp>
 #include <rtt/Attribute.hpp>
 #include <rtt/OperationCaller.hpp>
@@ -20,26 +20,6 @@
 namespace {
 
 using namespace components_test;
-
-/** Calls a function again and again. */
-class Repeated {
-public:
-    explicit Repeated(std::function<void()> work)
-        : thread_([this, work] {
-              while (!ended_) {
-                  work();
-                  std::this_thread::yield();
-              }
-          }) {}
-    ~Repeated() {
-        ended_ = true;
-        thread_.join();
-    }
-
-private:
-    std::atomic<bool> ended_{false};
-    std::thread thread_;
-};
 
 class ReportThreads : public Reporting {
 protected:
@@ -113,33 +93,6 @@ TEST_F(ReportThreads, SnapshotsAndStopsMayComeAtAnyTime) {
         EXPECT_TRUE(reporter->stop());
     }
     EXPECT_GE(linesIn(text.str()), 20 + 10 * 20);
-}
-
-TEST_F(ReportThreads, TwoNetcdfFilesGrowAtTheSameTime) {
-    const oroforge::test::TempDir folder;
-    std::vector<std::unique_ptr<OCL::NetcdfReporting>> files;
-    for (const char* name : {"one", "other"}) {
-        files.push_back(std::make_unique<OCL::NetcdfReporting>(name));
-        files.back()->addPeer(&machine);
-        files.back()->setActivity(new RTT::Activity(ORO_SCHED_OTHER, 0, 0.001, nullptr, name));
-        RTT::Property<std::string>(files.back()->getProperty("ReportFile")).set(folder / (std::string(name) + ".nc"));
-        for (const char* port : {"speed", "levels"}) ASSERT_TRUE(files.back()->reportPort("Machine", port));
-    }
-    for (int round = 0; round < 3; ++round) {
-        for (const auto& each : files) ASSERT_TRUE(each->start());
-        std::vector<double> levels;
-        const Repeated writer([&] {
-            machine.speed.write(1);
-            levels.resize((levels.size() + 1) % 300);
-            machine.levels.write(levels);
-        });
-        forAWhile();
-        for (const auto& each : files) {
-            EXPECT_TRUE(each->stop());
-            EXPECT_EQ(0u, RTT::Attribute<unsigned>(each->getAttribute("LostRows")).get());
-        }
-    }
-    EXPECT_EQ(0u, oroforge::test::readFile(folder / "one.nc").find("CDF\x05"));
 }
 
 }  // namespace
