@@ -34,8 +34,7 @@ void eachPort(RTT::Service& service, const std::string& path, Visit&& visit) {
 template <class Visit>
 void eachPort(const Peer& member, Visit&& visit) {
     const EngineGate::Visit here(*member.gate);
-    if (!here.engine()) return;
-    auto* const component = dynamic_cast<RTT::TaskContext*>(here.engine()->getTaskCore());
+    auto* const component = dynamic_cast<RTT::TaskContext*>(componentOf(here));
     if (component) eachPort(*component->provides(), "", visit);
 }
 

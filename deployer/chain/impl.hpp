@@ -82,7 +82,7 @@ std::string descriptionOf(Impl& impl);
 template <class Use>
 bool withComponent(const Peer& peer, Use&& use) {
     const RTT::internal::EngineGate::Visit visit(*peer.gate);
-    auto* const component = visit.engine() ? dynamic_cast<RTT::TaskContext*>(visit.engine()->getTaskCore()) : nullptr;
+    auto* const component = dynamic_cast<RTT::TaskContext*>(componentOf(visit));
     return component && use(*component);
 }
 

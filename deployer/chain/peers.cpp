@@ -3,6 +3,7 @@
 #include "peers.hpp"
 
 #include <diag/nearest_match.hpp>
+#include <rtt/ExecutionEngine.hpp>
 #include <rtt/extras/SlaveActivity.hpp>
 
 #include <algorithm>
@@ -104,6 +105,11 @@ Peer::Relation relationOf(const SlaveActivity& slave, RTT::base::ActivityInterfa
 
 }  // namespace
 
+RTT::base::TaskCore* componentOf(const EngineGate::Visit& visit) {
+    const RTT::ExecutionEngine* const engine = visit.engine();
+    return engine ? engine->getTaskCore() : nullptr;
+}
+
 std::vector<Peer> peersOf(RTT::TaskContext& chain) {
     RTT::base::ActivityInterface* const own = chain.getActivity();
     const auto* const ownAsSlave = dynamic_cast<const SlaveActivity*>(own);
@@ -114,14 +120,14 @@ std::vector<Peer> peersOf(RTT::TaskContext& chain) {
         peer.name = name;
         peer.gate = gate;
         const EngineGate::Visit visit(*gate);
-        if (!visit.engine()) continue;
+        const RTT::base::TaskCore* const component = componentOf(visit);
+        if (!component) continue;
         peer.slave = dynamic_cast<SlaveActivity*>(visit.activity());
         if (peer.slave) peer.relation = relationOf(*peer.slave, own);
         if (peer.relation == Peer::OfOther) peer.master = peer.slave->masterName();
-        const RTT::base::TaskCore* const component = visit.engine()->getTaskCore();
         if (gate == chain.engine()->gate())
             peer.relation = Peer::Self;
-        else if (!master.empty() && component && component->getName() == master)
+        else if (!master.empty() && component->getName() == master)
             peer.relation = Peer::Master;
         peers.push_back(peer);
     }

@@ -5,6 +5,7 @@
 #define OROFORGE_CHAIN_PEERS_HPP
 
 #include <rtt/TaskContext.hpp>
+#include <rtt/internal/engine/engine_gate.hpp>
 
 #include <string>
 #include <vector>
@@ -26,6 +27,10 @@ struct Peer {
     Relation relation = OwnThread;
     std::string master;  // the component that executes it; for OfOther
 };
+
+/** Null when another thread has begun to destroy the component, which may be at any moment of a visit; what this has
+    returned exists until the end of the visit. */
+RTT::base::TaskCore* componentOf(const RTT::internal::EngineGate::Visit& visit);
 
 /** The peers that are there, in alphabetical order. */
 std::vector<Peer> peersOf(RTT::TaskContext& chain);

@@ -15,6 +15,7 @@
 #include <ctime>
 #include <memory>
 #include <new>
+#include <string_view>
 
 namespace OCL::logging {
 namespace {
@@ -28,18 +29,31 @@ bool hasRealTimeMemory(std::size_t size) noexcept {
     return block != nullptr;
 }
 
+constexpr char kNote[] = "... (%zu characters; real-time memory is used up)";
+constexpr std::string_view kNoteBegin("... (");
+constexpr std::string_view kNoteEnd("; real-time memory is used up)");
+
+/** The note at the end of a text that was cut before; empty if it was not. */
+std::string_view noteOf(std::string_view text) noexcept {
+    const bool hasNote = text.size() >= kNoteEnd.size() && text.substr(text.size() - kNoteEnd.size()) == kNoteEnd;
+    const std::size_t begin = hasNote ? text.rfind(kNoteBegin) : text.npos;
+    return begin == text.npos ? std::string_view() : text.substr(begin);
+}
+
 void assignCut(RTT::rt_string& to, const char* text, std::size_t size) noexcept {
-    cut.fetch_add(1, std::memory_order_relaxed);
-    char note[80];
-    const std::size_t noted = static_cast<std::size_t>(
-        std::snprintf(note, sizeof note, "... (%zu characters; real-time memory is used up)", size));
+    std::string_view note = noteOf({text, size});
+    char own[80];
+    if (note.empty()) {
+        cut.fetch_add(1, std::memory_order_relaxed);
+        note = {own, static_cast<std::size_t>(std::snprintf(own, sizeof own, kNote, size))};
+    }
     const std::size_t room = to.capacity();
-    if (room < 2 * noted) {
+    if (room < 2 * note.size()) {
         to.assign(text, std::min(size, room));
         return;
     }
-    to.assign(text, room - noted);
-    to.append(note, noted);
+    to.assign(text, room - note.size());
+    to.append(note.data(), note.size());
 }
 
 void assign(RTT::rt_string& to, const char* text, std::size_t size) noexcept {

@@ -5,13 +5,15 @@
 #include <rtt/internal/engine/topology.hpp>
 
 #include <algorithm>
+#include <atomic>
+#include <cstdint>
 #include <mutex>
 
 namespace RTT {
 
-std::atomic<std::uint32_t> internal::Topology::changes_{0};
-
 namespace {
+
+std::atomic<std::uint32_t> changes{0};
 
 // One lock for all, because a change concerns two components, and both may be destroyed at the same time.
 std::mutex& peersMutex() {
@@ -109,6 +111,10 @@ bool TaskContext::hasPeer(const std::string& name) const {
     const Lock lock(peersMutex());
     return peers_.count(name) != 0;
 }
+
+std::uint32_t internal::Topology::changes() noexcept { return RTT::changes.load(std::memory_order_acquire); }
+
+void internal::Topology::changed() noexcept { RTT::changes.fetch_add(1, std::memory_order_acq_rel); }
 
 TaskContext::PeerGates TaskContext::getPeerGates() const {
     const Lock lock(peersMutex());  // while a peer is in the list, it is not destroyed

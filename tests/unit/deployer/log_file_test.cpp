@@ -72,7 +72,8 @@ TEST_F(LogFileOfDeployers, LinesHaveTheTimeOnRequest) {
     }
     const Outcome wrong = run(command({"--log-time=wal"}));
     EXPECT_EQ(255, wrong.status);
-    EXPECT_THAT(wrong.err, HasSubstr("unknown value 'wal' of --log-time, expected relative or wall"));
+    EXPECT_THAT(wrong.err,
+                HasSubstr("unknown value 'wal' of --log-time, expected 'relative' or 'wall'; did you mean 'wall'?"));
 }
 
 TEST_F(LogFileOfDeployers, UnwritableOneIsWarnedOf) {

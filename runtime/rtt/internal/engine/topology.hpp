@@ -5,7 +5,6 @@
 
 #include <rtt/rtt-config.h>
 
-#include <atomic>
 #include <cstdint>
 
 namespace RTT {
@@ -13,15 +12,11 @@ namespace internal {
 
 /** Counts the changes of peers and activities of all components, for code that keeps a list of components up to date.
     It wraps around. */
-class RTT_API Topology {
-public:
+struct RTT_API Topology {
     /** Read it before the components. Real-time safe. */
-    static std::uint32_t changes() noexcept { return changes_.load(std::memory_order_acquire); }
+    static std::uint32_t changes() noexcept;
     /** Call it after the change. */
-    static void changed() noexcept { changes_.fetch_add(1, std::memory_order_acq_rel); }
-
-private:
-    static std::atomic<std::uint32_t> changes_;
+    static void changed() noexcept;
 };
 
 }  // namespace internal
