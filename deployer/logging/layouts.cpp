@@ -7,7 +7,6 @@
 #include <log4cpp/SimpleLayout.hh>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <cstdio>
 #include <ctime>
 
