@@ -156,7 +156,7 @@ FOREIGN = {
     r"(histedit\.h|editline/|readline/)": ["deployer/console/"],
     r"(ros|roscpp|tf2?|actionlib|dynamic_reconfigure)/": ["ros/", "tests/unit/ros_", "bench/ros_"],
     # Of the runtime, what stays out of components and their libraries.
-    r"nlohmann/": ["runtime/report/", "runtime/rtt/encoding/", "generator/", "typekit_gen/", "tests/"],
+    r"nlohmann/": ["runtime/report/", "runtime/rtt/encoding/", "deployer/logging/", "generator/", "typekit_gen/", "tests/"],
     r"kainjow/": ["generator/render/"],
     r"CLI/": ["generator/driver/", "typekit_gen/driver/", "deployer/"],
     r"(gtest|gmock)/": ["tests/", "templates/", "examples/"],    # packages bring a test

@@ -5,8 +5,8 @@
 #include <log4cpp/BasicLayout.hh>
 #include <log4cpp/PatternLayout.hh>
 #include <log4cpp/SimpleLayout.hh>
+#include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <cstdio>
 #include <ctime>
 
@@ -15,48 +15,9 @@ namespace {
 
 bool isControl(unsigned char c) { return (c < 0x20 && c != '\t') || c == 0x7f; }
 
-/** The length of the UTF-8 character that begins there; 0 if there is none. */
-std::size_t characterAt(const std::string& text, std::size_t at) {
-    const auto byte = [&](std::size_t i) -> unsigned {
-        return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u;
-    };
-    const unsigned first = byte(at);
-    if (first < 0x80) return 1;
-    const std::size_t length = first >= 0xc2 && first < 0xe0   ? 2
-                               : (first & 0xf0) == 0xe0        ? 3
-                               : first >= 0xf0 && first < 0xf5 ? 4
-                                                               : 0;
-    for (std::size_t i = 1; i < length; ++i)
-        if ((byte(at + i) & 0xc0) != 0x80) return 0;
-    const unsigned second = byte(at + 1);
-    // Longer than needed, surrogates, beyond the last character.
-    if ((first == 0xe0 && second < 0xa0) || (first == 0xed && second > 0x9f) || (first == 0xf0 && second < 0x90) ||
-        (first == 0xf4 && second > 0x8f))
-        return 0;
-    return length;
-}
-
+/** Bytes that are no UTF-8 become U+FFFD. */
 void appendJson(std::string& out, const std::string& text) {
-    out += '"';
-    for (std::size_t i = 0; i < text.size();) {
-        const unsigned char c = static_cast<unsigned char>(text[i]);
-        const std::size_t length = characterAt(text, i);
-        if (c == '"' || c == '\\') {
-            out += {'\\', text[i]};
-        } else if (c == '\n') {
-            out += "\\n";
-        } else if (c < 0x20 || c == 0x7f) {
-            char code[8];
-            std::snprintf(code, sizeof code, "\\u%04x", c);
-            out += code;
-        } else if (length == 0) {
-            out += "\\ufffd";
-        } else {
-            out.append(text, i, length);
-        }
-        i += std::max<std::size_t>(length, 1);
-    }
-    out += '"';
+    out += nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 std::string isoTime(const log4cpp::TimeStamp& time) {

@@ -254,7 +254,7 @@ TEST_F(TcpReports, ServesAsManyClientsAsAllowed) {
     clients.pop_back();
     ASSERT_TRUE(hasClients(2));
     EXPECT_TRUE(TcpPeer(port()).greet());
-    ASSERT_TRUE(reporter->stop());
+    ASSERT_TRUE(reporter->stop());  // its thread writes to the log
     EXPECT_THAT(log(), HasSubstr("'Reporter' refuses a client: it has 3 already"));
 }
 
