@@ -81,7 +81,9 @@ int makeEmpty(const std::string& name, const struct stat& model) {
 int rotateByName(const std::string& path, const struct stat& old) {
     if (std::rename(path.c_str(), numbered(path, 1).c_str()) != 0) return -1;
     const int file = ::open(path.c_str(), kAdding | O_EXCL | O_CLOEXEC | O_NOFOLLOW, old.st_mode & 0777U);
-    if (file < 0 || !lock(file)) {
+    struct stat status {};
+    // A process that locked it first may even have ended since.
+    if (file < 0 || !lock(file) || fstat(file, &status) != 0 || status.st_size != 0 || !leadsTo(path, status)) {
         if (file >= 0) ::close(file);
         errno = EAGAIN;
         return -1;

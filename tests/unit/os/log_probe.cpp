@@ -14,6 +14,7 @@
 #include <string>
 
 #include <fcntl.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 namespace {
@@ -75,6 +76,16 @@ extern "C" int link(const char* from, const char* to) noexcept {
     if (!none || !*none) return linkat(AT_FDCWD, from, AT_FDCWD, to, 0);
     errno = EPERM;
     return -1;
+}
+
+/** LOG_PROBE_LATE_LOCK: the file that this process has just made is found, locked and written by another one. */
+extern "C" int flock(int file, int operation) noexcept {
+    static int calls = 0;
+    if (std::getenv("LOG_PROBE_LATE_LOCK") && ++calls == 3) {
+        unsetenv("LOG_PROBE_LATE_LOCK");
+        if (std::system(program_invocation_name) != 0) std::abort();
+    }
+    return static_cast<int>(syscall(SYS_flock, file, operation));
 }
 
 /** Program that tests of the log run with several environments: one line of each level, in a plain main(). */

@@ -163,6 +163,14 @@ TEST_F(LogRotation, WorksWithoutHardLinks) {
     EXPECT_THAT(names(), UnorderedElementsAre("orocos.log", "orocos.log.1"));
 }
 
+TEST_F(LogRotation, WithoutHardLinksAnotherProcessMayBeFaster) {
+    write("orocos.log", "a");
+    EXPECT_EQ(run({{"LOG_PROBE_NO_LINKS", "1"}, {"LOG_PROBE_LATE_LOCK", "1"}}).status, 0);
+    EXPECT_THAT(names(), UnorderedElementsAre("orocos.log", "orocos.log.1", "orocos.log.2"));
+    EXPECT_EQ(read("orocos.log.2"), "a");
+    for (const char* name : {"orocos.log", "orocos.log.1"}) EXPECT_EQ(count(read(name), "] message 5\n"), 1U) << name;
+}
+
 TEST_F(LogRotation, ADeathBetweenTheStepsLosesNothing) {
     write("orocos.log", "a");
     write("orocos.log.2", "b");
