@@ -54,7 +54,7 @@ while len(values) < 200 or values[-1] == values[0]:
 assert values == sorted(values) and values[-1] > values[0], values
 print("200 frames", flush=True)
 if "stay" in sys.argv:
-    rest = lines.readlines()  # to the end of the connection
+    rest = frame[3:] + lines.readlines()  # to the end of the connection
     print("last:", rest[-1].split(" ", 2)[2].rstrip("\n"))
 else:
     connection.sendall(b"QUIT\r\n")
