@@ -4,6 +4,7 @@
 // name, alone may rename it. There is no moment at which the name leads to a file that nobody has locked.
 #include <rtt/detail/log_claim.hpp>
 
+#include <rtt/detail/log_leftovers.hpp>
 #include <rtt/os/own_file.hpp>
 
 #include <cerrno>
@@ -143,15 +144,6 @@ Claim claim(ClaimedLog& log, unsigned keep, const struct stat* again) {
     return Claim::Held;
 }
 
-/** "orocos-123.log"; "orocos-123-2.log" if that is taken, too, as between containers that share a folder. */
-std::string ownName(const std::string& name, int number) {
-    const std::size_t folder = name.rfind('/') + 1;  // 0 without a folder
-    const std::size_t point = name.rfind('.');
-    const std::size_t end = point == std::string::npos || point <= folder ? name.size() : point;
-    return name.substr(0, end) + '-' + std::to_string(getpid()) + (number > 1 ? '-' + std::to_string(number) : "") +
-           name.substr(end);
-}
-
 bool isFileOfAnotherUser(const std::string& name) {
     struct stat status {};
     return stat(name.c_str(), &status) == 0 && S_ISREG(status.st_mode) && status.st_uid != geteuid();
@@ -197,7 +189,7 @@ ClaimedLog claimLog(const std::string& name, unsigned keep, const struct stat* a
     if (first == Claim::Failed && !foreign) return log;
     for (int number = 1; number <= kNames; ++number) {
         ClaimedLog own;
-        own.name = ownName(name, number);
+        own.name = ownLogName(name, number);  // the second if another container has the process id
         own.heldBy = foreign ? "another user" : "another process";
         const Claim second = claim(own, keep, nullptr);
         if (second != Claim::Held) return own;
