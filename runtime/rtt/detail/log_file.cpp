@@ -24,7 +24,7 @@ void describe(const ClaimedLog& log, const LogFileRules& rules, LogNotes& notes)
     const std::string asked = "'" + rules.name + "'";
     const std::string held =
         asked + (log.heldBy == "another user" ? " belongs to " : " is being written by ") + log.heldBy;
-    if (log.descriptor < 0) {
+    if (!log.descriptor) {
         const std::string which = log.heldBy.empty() ? asked : held + ", and '" + log.name + "'";
         const std::string why = log.error == EBUSY ? "other processes write it" : os::detail::openError(log.error);
         notes.emplace_back(Warning,
@@ -65,12 +65,12 @@ bool LogFile::open(const LogFileRules& rules, LogNotes& notes) {
     const bool again = !name_.empty() && rules.name == rules_.name && leadsTo(name_, identity_);
     ClaimedLog log;
     if (again) log = claimLog(name_, rules.keep, &identity_);
-    if (!again || log.descriptor < 0) log = claimLog(rules.name, rules.keep, nullptr);
+    if (!again || !log.descriptor) log = claimLog(rules.name, rules.keep, nullptr);
     rules_ = rules;
     if (!again || log.name != name_ || log.rotated) describe(log, rules, notes);
     name_ = log.name;
     path_ = log.path;
-    descriptor_ = log.descriptor;
+    descriptor_ = log.descriptor.release();
     used_ = 0;
     failure_ = rotateFailure_ = 0;
     failureTaken_ = rotateFailureTaken_ = false;
