@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 // What a message to a category costs the real-time thread that logs it: below the level, to an appender, and with eight
-// threads at once.
+// threads at once. As many of them compete as there are processors.
 #include "pairs.hpp"
 
 #include <ocl/Category.hpp>
@@ -139,6 +139,8 @@ const auto hidden = [](Category& to) { to.debug("a message of a few words"); };
 CATEGORY_BENCH("category/number, one thread", 1, true, number);
 CATEGORY_BENCH("category/number, eight threads with a category each", 8, true, number);
 CATEGORY_BENCH("category/number, eight threads and one category", 8, false, number);
+CATEGORY_BENCH("category/number, two threads with a category each", 2, true, number);
+CATEGORY_BENCH("category/number, two threads and one category", 2, false, number);
 CATEGORY_BENCH("category/text, one thread", 1, true, text);
 CATEGORY_BENCH("category/text below the level", 1, true, hidden);
 

@@ -34,8 +34,7 @@ bool isDue(Member& member) {
 }  // namespace
 
 void Cycles::begin(const ChainStatistics& sample) {
-    sample_ = sample;
-    statistics.setDataSample(sample_);
+    statistics.setDataSample(sample);
     overrun.setDataSample(std::string(128, ' '));
     iteration_.set(0);
     counted_ = nullptr;
@@ -144,26 +143,26 @@ void Cycles::serve() {
     }
 }
 
-void Cycles::report(const Roster& roster, double period) {
+void Cycles::report(Roster& roster, double period) {
     if (!statistics.connected()) return;
     const MeasuredCycles& cycles = *roster.cycles;
-    sample_.iteration = iteration_();
-    cycles.durations.read(sample_.cycle);
-    cycles.jitter.read(sample_.jitter);
-    sample_.utilisation = period > 0 ? sample_.cycle.mean / period : 0;
-    sample_.overruns = cycles.overruns();
-    sample_.failures = 0;
-    for (const Member& member : roster.members) {
-        const Measured& measured = *member.measured;
-        sample_.failures += measured.failures();
-        if (member.row < 0) continue;  // it came after the start
-        ChainMember& row = sample_.members[static_cast<std::size_t>(member.row)];
+    ChainStatistics& sample = roster.sample;
+    sample.iteration = iteration_();
+    cycles.durations.read(sample.cycle);
+    cycles.jitter.read(sample.jitter);
+    sample.utilisation = period > 0 ? sample.cycle.mean / period : 0;
+    sample.overruns = cycles.overruns();
+    sample.failures = 0;
+    for (const Member& member : roster.members) sample.failures += member.measured->failures();
+    for (std::size_t i = 0; i != roster.rows.size(); ++i) {
+        const Measured& measured = *roster.rows[i];
+        ChainMember& row = sample.members[i];
         measured.times.read(row.times);
         row.overruns = measured.overruns();
         row.failures = measured.failures();
         row.left_out = measured.leftOut();
     }
-    statistics.write(sample_);
+    statistics.write(sample);
 }
 
 }  // namespace OCL::chain

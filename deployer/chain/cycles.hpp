@@ -55,10 +55,9 @@ private:
     void turn(Member& member, const Settings& settings, Course& course);
     void run(Member& member, const RTT::internal::EngineGate::Visit& visit, const Settings& settings, Course& course);
     void fail(Member& member, bool threw, OnError onError, Course& course);
-    void report(const Roster& roster, double period);
+    void report(Roster& roster, double period);
 
     const std::string name_;
-    ChainStatistics sample_;  // of the port, with its final size
     Shown<unsigned> iteration_;
     const Roster* counted_ = nullptr;  // whose countdowns are up to date
     unsigned untilReport_ = 0;

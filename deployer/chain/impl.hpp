@@ -44,6 +44,7 @@ struct Impl {
     /** `findings` gets what is wrong with properties and peers. */
     Order present(Settings& wanted, std::vector<std::string>& findings) const;
     void publish(const Order& order);
+    void addRows(Roster& roster);
     void release(const Member& member) const;
     void tellFailures();
     void logOrder(const char* what) const;
@@ -65,7 +66,7 @@ struct Impl {
     std::map<std::string, std::shared_ptr<Measured>> measured;
     std::shared_ptr<MeasuredCycles> measuredCycles = std::make_shared<MeasuredCycles>();
     std::shared_ptr<RecentPeriods> periods = std::make_shared<RecentPeriods>(3000);
-    std::map<std::string, int> rows;  // of the sample of the port `statistics`
+    std::vector<std::string> rows;  // of the sample of the port `statistics`: all members since the start
     unsigned overrunsTold = 0;
 
     bool executing = false;                  // for the thread of the chain

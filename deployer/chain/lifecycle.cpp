@@ -36,7 +36,6 @@ std::vector<std::string> Impl::begin() {
     periods = std::make_shared<RecentPeriods>(periods->size());
     overrunsTold = 0;
     rows.clear();
-    for (const Peer& peer : order.members) rows.emplace(peer.name, static_cast<int>(rows.size()));
     publish(order);
     cycles.begin(statisticsOf(*this));
     running = true;

@@ -68,8 +68,6 @@ void Impl::publish(const Order& order) {
         std::shared_ptr<Measured>& known = measured[peer.name];  // also of one that was there before
         if (!known) known = std::make_shared<Measured>();
         member.measured = known;
-        const auto row = rows.find(peer.name);
-        if (row != rows.end()) member.row = row->second;
         roster->members.push_back(member);
         kept.emplace(peer.gate.get(), peer.slave);
         setInTurn(peer, settings.inOrder);
@@ -77,7 +75,23 @@ void Impl::publish(const Order& order) {
     for (const Member& member : members)
         if (!kept.count({member.peer.gate.get(), member.peer.slave})) release(member);
     members = roster->members;
+    addRows(*roster);
     cycles.rosters.publish(std::move(roster));
+}
+
+void Impl::addRows(Roster& roster) {
+    const std::size_t before = rows.size();
+    for (const Member& member : members)
+        if (std::find(rows.begin(), rows.end(), member.peer.name) == rows.end()) rows.push_back(member.peer.name);
+    for (const std::string& name : rows) {
+        std::shared_ptr<Measured>& known = measured[name];
+        if (!known) known = std::make_shared<Measured>();
+        roster.rows.push_back(known);
+        roster.sample.members.emplace_back();
+        roster.sample.members.back().name = name;
+    }
+    // The thread of the chain shall not allocate to write more rows than before.
+    if (running && rows.size() != before) cycles.statistics.setDataSample(roster.sample);
 }
 
 void Impl::release(const Member& member) const { setInTurn(member.peer, false); }

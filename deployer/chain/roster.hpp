@@ -54,12 +54,13 @@ struct Member {
     Divider divider;
     std::int64_t budget = 0;  // ns; 0 for none
     std::shared_ptr<Measured> measured;
-    int row = -1;            // in the sample of the port `statistics`
     unsigned countdown = 0;  // cycles until it is due; for the thread of the chain
 };
 
 struct Roster {
     std::vector<Member> members;
+    ChainStatistics sample;                       // of the port `statistics`, with its final size
+    std::vector<std::shared_ptr<Measured>> rows;  // of the sample, also of members that have gone
     std::shared_ptr<MeasuredCycles> cycles = std::make_shared<MeasuredCycles>();
     std::shared_ptr<RecentPeriods> periods;
     Settings settings;

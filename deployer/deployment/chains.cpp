@@ -99,7 +99,7 @@ std::string chainsOf(const Session& session) {
     for (const ComponentRecord& record : session.records.all)
         // One that a checked script made has no slaves, because the script does not run.
         if (!record.isRemote && (!session.startsNothing || record.group != 0)) text += descriptionOf(*record.instance);
-    return text + plannedChainsOf(session);
+    return text + plannedChainsOf(session) + foreseenChainsOf(session);
 }
 
 }  // namespace OCL::deploy

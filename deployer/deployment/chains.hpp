@@ -24,11 +24,14 @@ void setMembers(Session& session, const std::vector<ComponentRecord*>& records, 
 bool makeChain(Session& session, const std::string& name, const ActivityNumbers& numbers,
                const std::vector<std::string>& members, std::string& error);
 
-/** What the chains say of their order, thread and delays; for files that are only checked, what the files say. */
+/** What the chains say of their order, thread and delays; for files and scripts that are only checked, what
+    these say. */
 std::string chainsOf(const Session& session);
 
-// planned_chains.cpp
+/** Of checked files. */
 std::string plannedChainsOf(const Session& session);
+/** Of checked scripts. */
+std::string foreseenChainsOf(const Session& session);
 
 }  // namespace OCL::deploy
 

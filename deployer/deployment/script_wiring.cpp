@@ -7,6 +7,7 @@
 
 #include <rtt/TaskContext.hpp>
 
+#include <sstream>
 #include <utility>
 
 namespace OCL::deploy {
@@ -65,6 +66,43 @@ bool namesOf(const std::string& operation, const RTT::scripting::ForeseenCall& c
     return !first.empty() && (join.kind == Join::Stream || !second.empty());
 }
 
+std::string whereOf(const RTT::scripting::ForeseenCall& call) { return call.script + ":" + std::to_string(call.line); }
+
+/** Of chain() and setActivity(), which have the same first arguments. */
+Foreseen::Thread threadOf(const std::string& name, const RTT::scripting::ForeseenCall& call) {
+    const auto other = [&](std::size_t at) {
+        return at < call.others.size() ? call.others[at] : RTT::scripting::ForeseenArgument();
+    };
+    const auto scheduler = other(3);
+    const auto period = other(1).number, priority = other(2).number;
+    const bool isKnown = scheduler.name == "ORO_SCHED_RT" || scheduler.name == "ORO_SCHED_OTHER";
+    std::ostringstream text;
+    text << (isKnown ? scheduler.name : "a scheduler that the script computes");
+    if (priority)
+        text << ", priority " << *priority;
+    else
+        text << ", a priority that the script computes";
+    if (!period)
+        text << ", a period that the script computes";
+    else if (*period > 0)
+        text << ", period " << *period << " s";
+    else
+        text << ", not periodic";
+    return {name, text.str(), whereOf(call), call.certain};
+}
+
+Foreseen::Chain chainOf(const std::string& name, const RTT::scripting::ForeseenCall& call) {
+    const bool isKnown = call.others.size() > 4 && call.others[4].list;
+    return {threadOf(name, call), isKnown ? *call.others[4].list : std::vector<std::string>(), !isKnown};
+}
+
+void recordThread(const std::string& operation, const RTT::scripting::ForeseenCall& call, Foreseen& graph) {
+    const std::string* const one = textOf(call, 0);
+    const std::string* const two = textOf(call, 1);
+    if (operation == "setActivity" && one) graph.threads.push_back(threadOf(*one, call));
+    if (operation == "setMasterSlaveActivity" && one && two) graph.slaves.push_back({*one, *two, call.certain});
+}
+
 /** The kind of connection that an operation makes; false if it makes none. */
 bool kindOf(const std::string& operation, Join::Kind& kind) {
     if (operation == "connect" || operation == "connectTwoPorts")
@@ -84,17 +122,17 @@ bool kindOf(const std::string& operation, Join::Kind& kind) {
 
 void ScriptForecast::recordFor(const std::string& operation, const Call& call, const Expectations& expected) {
     Foreseen& graph = session_.foreseen;
-    const auto isComputed = [&] {
-        graph.computed.push_back(operation + "() in " + call.script + ":" + std::to_string(call.line));
-    };
+    const auto isComputed = [&] { graph.computed.push_back(operation + "() in " + whereOf(call)); };
     if (operation == "loadComponent" || operation == "chain") {
         static const std::string chain = kChainType;
         const std::string* const name = textOf(call, 0);
         const std::string* const type = operation == "chain" ? &chain : textOf(call, 1);
         if (!name) return isComputed();
-        graph.components.push_back({*name, type ? *type : std::string(), call.certain});
+        graph.components.push_back({*name, type ? *type : std::string(), call.certain, whereOf(call)});
+        if (operation == "chain") graph.chains.push_back(chainOf(*name, call));
         return;
     }
+    recordThread(operation, call, graph);
     Join join{Join::Ports, {}, {}, call.certain};
     if (!kindOf(operation, join.kind)) return;
     if (!namesOf(operation, call, join)) return isComputed();

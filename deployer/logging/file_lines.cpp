@@ -17,8 +17,6 @@ namespace OCL::logging {
 
 FileLines::FileLines(const std::string& owner, std::string file) : FdLines(owner), name_(std::move(file)) {}
 
-FileLines::~FileLines() { closeFile(); }
-
 bool FileLines::open() {
     const std::string reason = tryToOpen();
     if (reason.empty()) return true;
@@ -28,15 +26,16 @@ bool FileLines::open() {
 }
 
 void FileLines::closeFile() {
-    if (file_ >= 0) ::close(file_);
+    own_.reset();
     file_ = -1;
 }
 
 std::string FileLines::tryToOpen(bool empty) {
     closeFile();
     // Without O_NONBLOCK, opening a pipe would wait for a reader.
-    file_ =
-        RTT::os::detail::openOwnFile(name_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_NONBLOCK | (empty ? O_TRUNC : 0));
+    own_.reset(RTT::os::detail::openOwnFile(name_.c_str(),
+                                            O_WRONLY | O_CREAT | O_APPEND | O_NONBLOCK | (empty ? O_TRUNC : 0)));
+    file_ = own_.get();
     if (file_ < 0) return errno == ENXIO ? "no program reads from this pipe" : RTT::os::detail::openError(errno);
     struct stat status {};
     const bool known = ::fstat(file_, &status) == 0;
@@ -47,10 +46,9 @@ std::string FileLines::tryToOpen(bool empty) {
 }
 
 void FileLines::endTornLine() {
-    const int file = RTT::os::detail::openOwnFile(name_.c_str(), O_RDONLY | O_NONBLOCK);
+    const RTT::os::detail::Descriptor file(RTT::os::detail::openOwnFile(name_.c_str(), O_RDONLY | O_NONBLOCK));
     char last = '\n';
-    const bool torn = file >= 0 && ::pread(file, &last, 1, static_cast<off_t>(position_ - 1)) == 1 && last != '\n';
-    if (file >= 0) ::close(file);
+    const bool torn = file && ::pread(file.get(), &last, 1, static_cast<off_t>(position_ - 1)) == 1 && last != '\n';
     if (torn && ::write(file_, "\n", 1) == 1) ++position_;
 }
 

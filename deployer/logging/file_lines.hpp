@@ -6,6 +6,8 @@
 
 #include "fd_lines.hpp"
 
+#include <rtt/os/descriptor.hpp>
+
 #include <cstdint>
 #include <string>
 
@@ -14,7 +16,6 @@ namespace OCL::logging {
 class FileLines : public FdLines {
 public:
     FileLines(const std::string& owner, std::string file);
-    ~FileLines() override;
 
     /** False, with an error logged, if the file cannot be opened. */
     bool open();
@@ -33,6 +34,7 @@ protected:
     const std::string name_;
 
 private:
+    RTT::os::detail::Descriptor own_;  // what file_ is
     bool keepsOn_ = false;
 };
 

@@ -57,15 +57,8 @@ std::optional<int> facilityOf(const std::string& name) {
 SyslogLines::SyslogLines(const std::string& owner, std::string identity, int facility, std::string socket)
     : LineAppender(owner), identity_(std::move(identity)), path_(std::move(socket)), facility_(facility) {}
 
-SyslogLines::~SyslogLines() { close(); }
-
-void SyslogLines::close() {
-    if (socket_ >= 0) ::close(socket_);
-    socket_ = -1;
-}
-
 bool SyslogLines::connect(std::string& error) {
-    if (socket_ >= 0) return true;
+    if (socket_) return true;
     sockaddr_un address{};
     address.sun_family = AF_UNIX;
     if (path_.size() >= sizeof address.sun_path) {
@@ -73,8 +66,8 @@ bool SyslogLines::connect(std::string& error) {
         return false;
     }
     std::memcpy(address.sun_path, path_.data(), path_.size());
-    socket_ = ::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0);
-    if (socket_ >= 0 && ::connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0)
+    socket_.reset(::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0));
+    if (socket_ && ::connect(socket_.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0)
         return true;
     error = std::strerror(errno);
     close();
@@ -84,10 +77,10 @@ bool SyslogLines::connect(std::string& error) {
 bool SyslogLines::send(const std::string& datagram, std::string& error) {
     for (int attempt = 0; attempt != 2; ++attempt) {
         if (!connect(error)) return false;
-        ssize_t done = ::send(socket_, datagram.data(), datagram.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
-        pollfd wait{socket_, POLLOUT, 0};
+        ssize_t done = ::send(socket_.get(), datagram.data(), datagram.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
+        pollfd wait{socket_.get(), POLLOUT, 0};
         if (done < 0 && errno == EAGAIN && ::poll(&wait, 1, kPatience) > 0)
-            done = ::send(socket_, datagram.data(), datagram.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
+            done = ::send(socket_.get(), datagram.data(), datagram.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
         if (done >= 0) return true;
         error = std::strerror(errno);
         const bool gone = errno == ECONNREFUSED || errno == ENOTCONN || errno == ECONNRESET;

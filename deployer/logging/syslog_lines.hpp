@@ -6,6 +6,8 @@
 
 #include "line_appender.hpp"
 
+#include <rtt/os/descriptor.hpp>
+
 #include <optional>
 #include <string>
 
@@ -21,19 +23,18 @@ std::optional<int> facilityOf(const std::string& name);
 class SyslogLines final : public LineAppender {
 public:
     SyslogLines(const std::string& owner, std::string identity, int facility, std::string socket);
-    ~SyslogLines() override;
     void flush() override {}
 
 private:
     void write(const log4cpp::LoggingEvent& event, const std::string& record) override;
     std::string target() const override { return "the system's log at '" + path_ + "'"; }
-    void close() override;
+    void close() override { socket_.reset(); }
     bool send(const std::string& datagram, std::string& error);
     bool connect(std::string& error);
 
     const std::string identity_, path_;
     const int facility_;
-    int socket_ = -1;
+    RTT::os::detail::Descriptor socket_;
 };
 
 }  // namespace OCL::logging

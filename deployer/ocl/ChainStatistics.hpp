@@ -57,7 +57,7 @@ struct ChainStatistics {
     double utilisation = 0;  ///< mean duration of a cycle divided by the period; 0 if not periodic
     unsigned overruns = 0;   ///< cycles that took longer than the budget of the chain
     unsigned failures = 0;   ///< of all members
-    std::vector<ChainMember> members;  ///< in their order
+    std::vector<ChainMember> members;  ///< in their order; in samples of the port, the later ones last
 
     template <class Archive>
     void serialize(Archive& archive, unsigned) {

@@ -52,13 +52,15 @@ constexpr std::uint64_t roundedUp(std::uint64_t size, std::uint64_t unit) { retu
 
 std::unique_ptr<NetcdfFile> NetcdfFile::open(const std::string& name, std::string& error) {
     // Without O_NONBLOCK, opening a pipe would wait for somebody who reads from it.
-    const int file = RTT::os::detail::openOwnFile(name.c_str(), O_RDWR | O_CREAT | O_NONBLOCK);
-    if (file < 0) {
+    RTT::os::detail::Descriptor opened(RTT::os::detail::openOwnFile(name.c_str(), O_RDWR | O_CREAT | O_NONBLOCK));
+    if (!opened) {
         error = RTT::os::detail::openError(errno);
         return nullptr;
     }
+    const int file = opened.get();
     std::error_code failure;
-    std::unique_ptr<NetcdfFile> result(new NetcdfFile(file, std::filesystem::canonical(name, failure).string()));
+    std::unique_ptr<NetcdfFile> result(
+        new NetcdfFile(std::move(opened), std::filesystem::canonical(name, failure).string()));
     error = !isRegular(file) ? "it is not an ordinary file" : claim(file);
     if (error.empty() && failure) error = failure.message();
     if (!error.empty()) result.reset();
@@ -67,7 +69,6 @@ std::unique_ptr<NetcdfFile> NetcdfFile::open(const std::string& name, std::strin
 
 NetcdfFile::~NetcdfFile() {
     if (id_ >= 0) (void)call([this] { must(nc_close(id_)); });  // all rows are written before
-    ::close(file_);
 }
 
 std::string NetcdfFile::begin(std::vector<NetcdfVariable>& variables, const std::vector<NetcdfText>& attributes) {
@@ -78,7 +79,7 @@ std::string NetcdfFile::begin(std::vector<NetcdfVariable>& variables, const std:
         if (id_ >= 0) must(nc_close(std::exchange(id_, -1)));
         // The library opens files by name, and takes some names for a URL or a path of Windows. This one is the file
         // that open() has opened, whatever has become of its name.
-        const std::string name = "/proc/self/fd/" + std::to_string(file_);
+        const std::string name = "/proc/self/fd/" + std::to_string(file_.get());
         must(nc__create(name.c_str(), NC_64BIT_DATA, 0, &block, &id_));
         int time = 0;
         must(nc_def_dim(id_, "time", NC_UNLIMITED, &time));
@@ -90,7 +91,7 @@ std::string NetcdfFile::begin(std::vector<NetcdfVariable>& variables, const std:
         must(nc_sync(id_));
     });
     struct stat status {};
-    if (error.empty() && ::fstat(file_, &status) != 0) error = systemError();
+    if (error.empty() && ::fstat(file_.get(), &status) != 0) error = systemError();
     begin_ = roundedUp(static_cast<std::uint64_t>(status.st_size), 2 * block);
     return error;
 }
@@ -120,10 +121,10 @@ std::string NetcdfFile::reserve(std::size_t rows) {
     if (rows == 0) return {};
     int error = EINTR;
     while (error == EINTR)
-        error = ::posix_fallocate(file_, static_cast<off_t>(size()), static_cast<off_t>(rows * rowSize_));
+        error = ::posix_fallocate(file_.get(), static_cast<off_t>(size()), static_cast<off_t>(rows * rowSize_));
     if (error == 0) return {};
     std::string text = std::generic_category().message(error);
-    if (::ftruncate(file_, static_cast<off_t>(size())) != 0) text += ", " + systemError();
+    if (::ftruncate(file_.get(), static_cast<off_t>(size())) != 0) text += ", " + systemError();
     return text;
 }
 
@@ -169,7 +170,7 @@ std::string NetcdfFile::change(const NetcdfText& attribute) {
 std::string NetcdfFile::lost() const {
     struct stat mine {};
     struct stat named {};
-    if (::fstat(file_, &mine) != 0) return systemError();
+    if (::fstat(file_.get(), &mine) != 0) return systemError();
     if (::stat(path_.c_str(), &named) != 0) return errno == ENOENT ? "somebody has removed it" : systemError();
     if (mine.st_dev != named.st_dev || mine.st_ino != named.st_ino) return "somebody has put another file in its place";
     return rows_ != 0 && static_cast<std::uint64_t>(mine.st_size) < size() ? "somebody has made it shorter" : "";
@@ -177,7 +178,7 @@ std::string NetcdfFile::lost() const {
 
 std::string NetcdfFile::replace(NetcdfFile& other) {
     struct stat status {};
-    if (::fstat(other.file_, &status) == 0) (void)::fchmod(file_, status.st_mode & 07777U);
+    if (::fstat(other.file_.get(), &status) == 0) (void)::fchmod(file_.get(), status.st_mode & 07777U);
     if (std::string error = other.lost(); !error.empty()) return error;
     if (std::rename(path_.c_str(), other.path_.c_str()) != 0) return systemError();
     path_ = other.path_;

@@ -3,6 +3,8 @@
 #ifndef ORO_OCL_REPORTING_NETCDF_FILE_HPP
 #define ORO_OCL_REPORTING_NETCDF_FILE_HPP
 
+#include <rtt/os/descriptor.hpp>
+
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -69,11 +71,11 @@ public:
     const std::string& path() const { return path_; }
 
 private:
-    NetcdfFile(int file, std::string path) : file_(file), path_(std::move(path)) {}
+    NetcdfFile(RTT::os::detail::Descriptor file, std::string path) : file_(std::move(file)), path_(std::move(path)) {}
     void define(NetcdfVariable& variable, int time);
     std::string reserve(std::size_t rows);
 
-    const int file_;
+    const RTT::os::detail::Descriptor file_;
     std::string path_;
     int id_ = -1;              // of the library
     std::uint64_t begin_ = 0;  // of the rows

@@ -3,14 +3,17 @@
 #ifndef ORO_OCL_REPORTING_TCP_CLIENT_HPP
 #define ORO_OCL_REPORTING_TCP_CLIENT_HPP
 
-#include "descriptor.hpp"
 #include "tcp_session.hpp"
+
+#include <rtt/os/descriptor.hpp>
 
 #include <chrono>
 #include <string>
 #include <vector>
 
 namespace OCL::reporting {
+
+using RTT::os::detail::Descriptor;
 
 typedef std::chrono::steady_clock::time_point TcpTime;
 

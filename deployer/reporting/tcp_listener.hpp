@@ -3,11 +3,13 @@
 #ifndef ORO_OCL_REPORTING_TCP_LISTENER_HPP
 #define ORO_OCL_REPORTING_TCP_LISTENER_HPP
 
-#include "descriptor.hpp"
+#include <rtt/os/descriptor.hpp>
 
 #include <string>
 
 namespace OCL::reporting {
+
+using RTT::os::detail::Descriptor;
 
 /** A socket on which clients may connect. Its functions do not block. */
 struct TcpListener {

@@ -4,6 +4,7 @@
 
 #include "report_file.hpp"
 
+#include <rtt/os/descriptor.hpp>
 #include <rtt/os/own_file.hpp>
 
 #include <cerrno>
@@ -14,6 +15,7 @@
 #include <sys/stat.h>
 #include <thread>
 #include <unistd.h>
+#include <utility>
 
 namespace OCL::reporting {
 namespace {
@@ -40,14 +42,13 @@ bool isPipe(const std::string& name) {
 
 class FileTarget : public TextTarget {
 public:
-    FileTarget(int file, std::string name) : file_(file), name_(std::move(name)) {}
-    ~FileTarget() override { ::close(file_); }
+    FileTarget(RTT::os::detail::Descriptor file, std::string name) : file_(std::move(file)), name_(std::move(name)) {}
 
     // Not buffered, so that output survives any end of this process.
     std::string write(const char* text, std::size_t size) override {
         const std::string_view lines(text, size);
         for (std::size_t written = 0; written != size;) {
-            const ssize_t done = ::write(file_, text + written, size - written);
+            const ssize_t done = ::write(file_.get(), text + written, size - written);
             if (done < 0 && errno == EINTR) continue;
             if (done < 0) {
                 const std::string error = systemError();
@@ -65,13 +66,13 @@ private:
     void takeBack(std::string_view written) {
         const std::size_t whole = lastRowEnd(written);
         struct stat status {};
-        if (whole == written.size() || ::fstat(file_, &status) != 0 || !S_ISREG(status.st_mode)) return;
-        if (::ftruncate(file_, status.st_size - static_cast<off_t>(written.size() - whole)) != 0) {
+        if (whole == written.size() || ::fstat(file_.get(), &status) != 0 || !S_ISREG(status.st_mode)) return;
+        if (::ftruncate(file_.get(), status.st_size - static_cast<off_t>(written.size() - whole)) != 0) {
             // The file then ends within a row, and the component reports the failure.
         }
     }
 
-    const int file_;
+    const RTT::os::detail::Descriptor file_;
     const std::string name_;
 };
 
@@ -96,18 +97,19 @@ private:
 std::unique_ptr<TextTarget> openFile(const std::string& name, std::string& error) {
     // Without O_NONBLOCK, opening a pipe would block start() until somebody reads from it.
     constexpr int kFlags = O_WRONLY | O_CREAT | O_APPEND | O_NONBLOCK;
-    int file = RTT::os::detail::openOwnFile(name.c_str(), kFlags);
+    RTT::os::detail::Descriptor opened(RTT::os::detail::openOwnFile(name.c_str(), kFlags));
     // The reader may just be starting.
-    for (int times = 0; file < 0 && errno == ENXIO && isPipe(name) && times != kTries; ++times) {
+    for (int times = 0; !opened && errno == ENXIO && isPipe(name) && times != kTries; ++times) {
         std::this_thread::sleep_for(kPause);
-        file = RTT::os::detail::openOwnFile(name.c_str(), kFlags);
+        opened.reset(RTT::os::detail::openOwnFile(name.c_str(), kFlags));
     }
-    if (file < 0) {
+    if (!opened) {
         error = errno == ENXIO && isPipe(name) ? "nobody reads from this pipe" : RTT::os::detail::openError(errno);
         return nullptr;
     }
+    const int file = opened.get();
     (void)::fcntl(file, F_SETFL, O_APPEND);  // writes wait for the reader
-    std::unique_ptr<TextTarget> target(new FileTarget(file, name));
+    std::unique_ptr<TextTarget> target(new FileTarget(std::move(opened), name));
     if (!isRegular(file)) return target;
     error = claim(file);
     if (!error.empty()) target.reset();

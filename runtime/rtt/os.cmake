@@ -12,6 +12,7 @@ target_sources(orocos-rtt PRIVATE
   rtt/detail/log_drain.cpp
   rtt/detail/log_file.cpp
   rtt/detail/log_format.cpp
+  rtt/detail/log_leftovers.cpp
   rtt/detail/log_line.cpp
   rtt/detail/log_queue.cpp
   rtt/detail/log_relay.cpp

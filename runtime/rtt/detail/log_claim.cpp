@@ -4,6 +4,7 @@
 // name, alone may rename it. There is no moment at which the name leads to a file that nobody has locked.
 #include <rtt/detail/log_claim.hpp>
 
+#include <rtt/detail/log_leftovers.hpp>
 #include <rtt/os/own_file.hpp>
 
 #include <cerrno>
@@ -13,10 +14,13 @@
 #include <fcntl.h>
 #include <sys/file.h>
 #include <unistd.h>
+#include <utility>
 
 namespace RTT::detail {
 
 namespace {
+
+using os::detail::Descriptor;
 
 constexpr int kAdding = O_WRONLY | O_CREAT | O_APPEND;
 constexpr int kTries = 1000, kNames = 10;
@@ -65,30 +69,31 @@ void shift(const std::string& path, unsigned keep) {
 }
 
 /** An empty file like `model`, locked, under a name that only this process uses. */
-int makeEmpty(const std::string& name, const struct stat& model) {
+Descriptor makeEmpty(const std::string& name, const struct stat& model) {
     const int flags = kAdding | O_EXCL | O_CLOEXEC | O_NOFOLLOW;
-    int file = ::open(name.c_str(), flags, 0666);
+    Descriptor file(::open(name.c_str(), flags, 0666));
     // A process with the same id may have died before it renamed it.
-    if (file < 0 && errno == EEXIST && unlink(name.c_str()) == 0) file = ::open(name.c_str(), flags, 0666);
-    if (file < 0) return -1;
-    (void)lock(file);
-    (void)fchmod(file, model.st_mode & 0777U);
-    if (geteuid() == 0 && fchown(file, model.st_uid, model.st_gid) != 0) errno = 0;  // a file system without owners
+    if (!file && errno == EEXIST && unlink(name.c_str()) == 0) file.reset(::open(name.c_str(), flags, 0666));
+    if (!file) return file;
+    (void)lock(file.get());
+    (void)fchmod(file.get(), model.st_mode & 0777U);
+    if (geteuid() == 0 && fchown(file.get(), model.st_uid, model.st_gid) != 0)
+        errno = 0;  // a file system without owners
     return file;
 }
 
 /** For file systems without hard links: another process may make the file in between. */
 int rotateByName(const std::string& path, const struct stat& old) {
     if (std::rename(path.c_str(), numbered(path, 1).c_str()) != 0) return -1;
-    const int file = ::open(path.c_str(), kAdding | O_EXCL | O_CLOEXEC | O_NOFOLLOW, old.st_mode & 0777U);
+    Descriptor file(::open(path.c_str(), kAdding | O_EXCL | O_CLOEXEC | O_NOFOLLOW, old.st_mode & 0777U));
     struct stat status {};
     // A process that locked it first may even have ended since.
-    if (file < 0 || !lock(file) || fstat(file, &status) != 0 || status.st_size != 0 || !leadsTo(path, status)) {
-        if (file >= 0) ::close(file);
+    if (!file || !lock(file.get()) || fstat(file.get(), &status) != 0 || status.st_size != 0 ||
+        !leadsTo(path, status)) {
         errno = EAGAIN;
         return -1;
     }
-    return file;
+    return file.release();
 }
 
 Claim fail(ClaimedLog& log, int error) {
@@ -96,60 +101,43 @@ Claim fail(ClaimedLog& log, int error) {
     return Claim::Failed;
 }
 
-Claim take(ClaimedLog& log, int file) {
-    log.descriptor = file;
+Claim take(ClaimedLog& log, Descriptor file) {
+    log.descriptor = std::move(file);
     log.error = 0;
     return Claim::Taken;
 }
 
 /** Takes the file that this process has locked, which is at its name. Held: another process has it after all. */
-Claim takeLocked(ClaimedLog& log, int file, const struct stat& status, unsigned keep, const struct stat* again) {
+Claim takeLocked(ClaimedLog& log, Descriptor file, const struct stat& status, unsigned keep, const struct stat* again) {
     log.path = realPath(log.name);
-    if (status.st_size == 0 || (again && sameFile(*again, status))) return take(log, file);
+    if (status.st_size == 0 || (again && sameFile(*again, status))) return take(log, std::move(file));
     if (keep == 0) {
-        if (ftruncate(file, 0) != 0) log.rotateError = errno;
-        return take(log, file);
+        if (ftruncate(file.get(), 0) != 0) log.rotateError = errno;
+        return take(log, std::move(file));
     }
-    const int fresh = rotateLog(log.path, file, keep);
-    if (fresh < 0 && errno == EAGAIN) return Claim::Held;
-    log.rotated = fresh >= 0;
-    if (fresh < 0) log.rotateError = errno;
-    if (fresh < 0) return take(log, file);
-    ::close(file);
-    return take(log, fresh);
+    Descriptor fresh(rotateLog(log.path, file.get(), keep));
+    if (!fresh && errno == EAGAIN) return Claim::Held;
+    log.rotated = static_cast<bool>(fresh);
+    if (!fresh) log.rotateError = errno;
+    return take(log, std::move(fresh ? fresh : file));
 }
 
 Claim claim(ClaimedLog& log, unsigned keep, const struct stat* again) {
     for (int tries = 0; tries != kTries; ++tries) {
-        const int file = openForAdding(log.name);
-        if (file < 0) return fail(log, errno);
+        Descriptor file(openForAdding(log.name));
+        if (!file) return fail(log, errno);
         struct stat status {};
-        if (fstat(file, &status) != 0 || !S_ISREG(status.st_mode) || isOutput(status)) return take(log, file);
-        const bool locked = lock(file);
+        if (fstat(file.get(), &status) != 0 || !S_ISREG(status.st_mode) || isOutput(status))
+            return take(log, std::move(file));
+        const bool locked = lock(file.get());
         // Another process may have renamed the file since this one opened it.
-        if (!leadsTo(log.name, status)) {
-            ::close(file);
-            continue;
-        }
-        if (!locked) {
-            ::close(file);
-            return Claim::Held;
-        }
-        (void)fstat(file, &status);  // the process that had it before has written since
-        const Claim result = takeLocked(log, file, status, keep, again);
+        if (!leadsTo(log.name, status)) continue;
+        if (!locked) return Claim::Held;
+        (void)fstat(file.get(), &status);  // the process that had it before has written since
+        const Claim result = takeLocked(log, std::move(file), status, keep, again);
         if (result != Claim::Held) return result;
-        ::close(file);
     }
     return Claim::Held;
-}
-
-/** "orocos-123.log"; "orocos-123-2.log" if that is taken, too, as between containers that share a folder. */
-std::string ownName(const std::string& name, int number) {
-    const std::size_t folder = name.rfind('/') + 1;  // 0 without a folder
-    const std::size_t point = name.rfind('.');
-    const std::size_t end = point == std::string::npos || point <= folder ? name.size() : point;
-    return name.substr(0, end) + '-' + std::to_string(getpid()) + (number > 1 ? '-' + std::to_string(number) : "") +
-           name.substr(end);
 }
 
 bool isFileOfAnotherUser(const std::string& name) {
@@ -169,21 +157,20 @@ int rotateLog(const std::string& path, int descriptor, unsigned keep) {
     }, first{};
     if (fstat(descriptor, &old) != 0) return -1;
     const std::string last = numbered(path, 1), fresh = path + '.' + std::to_string(getpid()) + ".new";
-    const int file = makeEmpty(fresh, old);
-    if (file < 0) return -1;
+    Descriptor file = makeEmpty(fresh, old);
+    if (!file) return -1;
     // A process may have died between the two steps below.
     const bool linked = lstat(last.c_str(), &first) == 0 && sameFile(first, old);
     if (!linked) shift(path, keep);
     if (linked || link(path.c_str(), last.c_str()) == 0) {
-        if (std::rename(fresh.c_str(), path.c_str()) == 0) return file;
+        if (std::rename(fresh.c_str(), path.c_str()) == 0) return file.release();
     } else if (errno != EEXIST) {
         (void)unlink(fresh.c_str());
-        ::close(file);
+        file.reset();
         return rotateByName(path, old);
     }
     const int error = errno;
     (void)unlink(fresh.c_str());
-    ::close(file);
     errno = error;
     return -1;
 }
@@ -197,7 +184,7 @@ ClaimedLog claimLog(const std::string& name, unsigned keep, const struct stat* a
     if (first == Claim::Failed && !foreign) return log;
     for (int number = 1; number <= kNames; ++number) {
         ClaimedLog own;
-        own.name = ownName(name, number);
+        own.name = ownLogName(name, number);  // the second if another container has the process id
         own.heldBy = foreign ? "another user" : "another process";
         const Claim second = claim(own, keep, nullptr);
         if (second != Claim::Held) return own;

@@ -3,6 +3,8 @@
 #ifndef RTT_DETAIL_LOG_CLAIM_HPP
 #define RTT_DETAIL_LOG_CLAIM_HPP
 
+#include <rtt/os/descriptor.hpp>
+
 #include <string>
 
 #include <sys/stat.h>
@@ -12,7 +14,7 @@ namespace detail {
 
 /** An open log file. */
 struct ClaimedLog {
-    int descriptor = -1;
+    os::detail::Descriptor descriptor;
     int error = 0;         // an errno, if there is none
     std::string name;      // may differ from the one that was asked for
     std::string path;      // of the file itself, behind links; empty: it is no regular file

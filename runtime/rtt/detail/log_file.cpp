@@ -3,10 +3,13 @@
 #include <rtt/detail/log_file.hpp>
 
 #include <rtt/detail/log_claim.hpp>
+#include <rtt/detail/log_leftovers.hpp>
+#include <rtt/os/descriptor.hpp>
 #include <rtt/os/own_file.hpp>
 
 #include <cerrno>
 #include <cstring>
+#include <fcntl.h>
 #include <new>
 #include <unistd.h>
 
@@ -21,7 +24,7 @@ void describe(const ClaimedLog& log, const LogFileRules& rules, LogNotes& notes)
     const std::string asked = "'" + rules.name + "'";
     const std::string held =
         asked + (log.heldBy == "another user" ? " belongs to " : " is being written by ") + log.heldBy;
-    if (log.descriptor < 0) {
+    if (!log.descriptor) {
         const std::string which = log.heldBy.empty() ? asked : held + ", and '" + log.name + "'";
         const std::string why = log.error == EBUSY ? "other processes write it" : os::detail::openError(log.error);
         notes.emplace_back(Warning,
@@ -33,6 +36,16 @@ void describe(const ClaimedLog& log, const LogFileRules& rules, LogNotes& notes)
     if (log.rotateError != 0)
         notes.emplace_back(Warning, "the log file '" + log.name + "' of an earlier process cannot be renamed: " +
                                         std::strerror(log.rotateError) + "; lines are added to it");
+}
+
+/** By which removeLogLeftovers() knows a file. Empty if it is too long, or cannot be read. */
+std::string firstLine(const std::string& path) {
+    const os::detail::Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    std::string text(4096, '\0');
+    const ssize_t size = file ? ::read(file.get(), &text[0], text.size()) : -1;
+    text.resize(size > 0 ? static_cast<std::size_t>(size) : 0);
+    text.resize(text.find('\n') + 1);
+    return text;
 }
 
 }  // namespace
@@ -52,12 +65,12 @@ bool LogFile::open(const LogFileRules& rules, LogNotes& notes) {
     const bool again = !name_.empty() && rules.name == rules_.name && leadsTo(name_, identity_);
     ClaimedLog log;
     if (again) log = claimLog(name_, rules.keep, &identity_);
-    if (!again || log.descriptor < 0) log = claimLog(rules.name, rules.keep, nullptr);
+    if (!again || !log.descriptor) log = claimLog(rules.name, rules.keep, nullptr);
     rules_ = rules;
     if (!again || log.name != name_ || log.rotated) describe(log, rules, notes);
     name_ = log.name;
     path_ = log.path;
-    descriptor_ = log.descriptor;
+    descriptor_ = log.descriptor.release();
     used_ = 0;
     failure_ = rotateFailure_ = 0;
     failureTaken_ = rotateFailureTaken_ = false;
@@ -65,7 +78,15 @@ bool LogFile::open(const LogFileRules& rules, LogNotes& notes) {
     owned_ = known && !path_.empty();
     size_ = owned_ ? static_cast<std::uint64_t>(identity_.st_size) : 0;
     limit_ = rules.most;
+    if (owned_ && !again) removeLeftovers(notes);
     return isOpen();
+}
+
+void LogFile::removeLeftovers(LogNotes& notes) const {
+    const std::size_t removed = removeLogLeftovers(rules_.name, rules_.keep);
+    if (removed != 0)
+        notes.emplace_back(Info, "deleted log files that " + std::to_string(removed) + " earlier process" +
+                                     (removed == 1 ? "" : "es") + " wrote instead of '" + rules_.name + "'");
 }
 
 int LogFile::replace() {
@@ -77,7 +98,9 @@ int LogFile::replace() {
 void LogFile::rotate() {
     flush();
     int fresh = -1;
+    std::string first;
     try {
+        if (name_ != rules_.name) first = firstLine(path_);
         fresh = replace();
     } catch (const std::bad_alloc&) {
         errno = ENOMEM;
@@ -92,6 +115,7 @@ void LogFile::rotate() {
     (void)fstat(descriptor_, &identity_);
     size_ = 0;
     limit_ = rules_.most;
+    if (!first.empty()) put(first.data(), first.size());
 }
 
 void LogFile::put(const char* text, std::size_t size) noexcept {

@@ -39,6 +39,7 @@ private:
     void put(const char* text, std::size_t size) noexcept;
     void rotate();
     int replace();
+    void removeLeftovers(LogNotes& notes) const;
 
     int descriptor_ = -1;
     LogFileRules rules_;

@@ -5,6 +5,7 @@
 #include <rtt/plugin/detail/needed_library.hpp>
 #include <rtt/plugin/detail/trusted_file.hpp>
 
+#include <rtt/os/descriptor.hpp>
 #include <rtt/plugin/version_guard.hpp>
 
 #include <dlfcn.h>
@@ -69,13 +70,13 @@ bool isArchive(int file) {
 /** Why the linker must not open the file: a truncated library would crash it, and on an archive its message is
     obscure. */
 std::string whyUnusable(const std::string& path) {
-    const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    if (file < 0) return std::string();  // the linker says why
+    const os::detail::Descriptor opened(open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    if (!opened) return std::string();  // the linker says why
+    const int file = opened.get();
     const bool archive = isArchive(file);
     struct stat status;
     const std::uint64_t size = fstat(file, &status) == 0 ? static_cast<std::uint64_t>(status.st_size) : 0;
     const std::uint64_t expected = expectedSize(file);
-    close(file);
     if (archive) return "it is a static library, which can only be linked into a program";
     if (size >= expected) return std::string();
     return "the file is cut short: it has " + std::to_string(size) + " bytes, expected " + std::to_string(expected);

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <iosfwd>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -32,10 +33,18 @@ struct Expectations {
     void anyGlobals() { types = globals = true; }
 };
 
+/** What is known of an argument that is not a literal text. */
+struct ForeseenArgument {
+    std::optional<double> number;                  ///< a literal number
+    std::string name;                              ///< a plain name, such as ORO_SCHED_RT
+    std::optional<std::vector<std::string>> list;  ///< strings(…) with literal texts
+};
+
 /** A call that a script makes. */
 struct ForeseenCall {
     std::vector<std::string> path;          ///< {"arm", "configure"}
     std::vector<const std::string*> texts;  ///< the arguments that are literal texts; null for others
+    std::vector<ForeseenArgument> others;   ///< what is known of the other ones
     bool certain = true;                    ///< it is made in any case, and before what follows
     bool ignored = false;                   ///< the script ignores its result
     std::string script;                     ///< the file of the call

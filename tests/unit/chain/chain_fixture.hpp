@@ -19,7 +19,9 @@
 #include <functional>
 #include <iostream>
 #include <memory>
-#include <sstream>
+#include <mutex>
+#include <ostream>
+#include <streambuf>
 #include <string>
 #include <thread>
 #include <vector>
@@ -31,15 +33,31 @@ using testing::HasSubstr;
 using testing::Not;
 typedef std::vector<std::string> Strings;
 
-/** What the log says meanwhile. */
-class LogText {
+/** What the log says meanwhile; the housekeeper's thread may be writing to it. */
+class LogText : std::streambuf {
 public:
-    LogText() { RTT::Logger::Instance()->setStdStream(text_); }
-    ~LogText() { RTT::Logger::Instance()->setStdStream(std::cerr); }
-    std::string operator()() const { return text_.str(); }
+    LogText() { RTT::Logger::Instance()->setStdStream(stream_); }
+    ~LogText() override { RTT::Logger::Instance()->setStdStream(std::cerr); }
+    std::string operator()() const {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        return text_;
+    }
 
 private:
-    std::ostringstream text_;
+    std::streamsize xsputn(const char* text, std::streamsize size) override {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        text_.append(text, static_cast<std::size_t>(size));
+        return size;
+    }
+    int overflow(int c) override {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        if (c != traits_type::eof()) text_ += static_cast<char>(c);
+        return traits_type::not_eof(c);
+    }
+
+    mutable std::mutex mutex_;
+    std::string text_;
+    std::ostream stream_{this};
 };
 
 class Member : public RTT::TaskContext {

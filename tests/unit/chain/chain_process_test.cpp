@@ -169,6 +169,32 @@ TEST_F(ChainProcess, FaultsInAFile) {
     EXPECT_THAT(other.err, HasSubstr("[DEP054] component 'a' is no chain"));
 }
 
+TEST_F(ChainProcess, ACheckShowsTheChainsOfAScript) {
+    const std::string text = kServices +
+                             "import(\"ocl\")\nloadComponent(\"a\", \"OCL::HelloWorld\")\n"
+                             "loadComponent(\"b\", \"OCL::HelloWorld\")\nloadComponent(\"c\", \"OCL::HelloWorld\")\n"
+                             "connect(\"a.the_results\", \"b.the_buffer_port\", ConnPolicy())\n"
+                             "connect(\"b.the_results\", \"a.the_buffer_port\", ConnPolicy())\n"
+                             "chain(\"servo\", 0.02, -3, ORO_SCHED_OTHER, strings(\"a\", \"b\"))\n"
+                             "loadComponent(\"loop\", \"OCL::Chain\")\n"
+                             "setActivity(\"loop\", 0.0, 5, ORO_SCHED_RT)\n"
+                             "setMasterSlaveActivity(\"loop\", \"c\")\n"
+                             "var strings names = strings(\"c\")\nvar double period = 0.1\n"
+                             "if os.argc() > 99 then chain(\"other\", period, 0, 0, names)\n";
+    const Outcome outcome = run({"--check"}, {{"app.ops", text}});
+    EXPECT_EQ(0, outcome.status) << outcome.err;
+    EXPECT_EQ(
+        "chain 'servo' made in app.ops:9: ORO_SCHED_OTHER, priority -3, period 0.02 s\n  1 a\n  2 b\n"
+        "  one cycle late: b.the_results → a.the_buffer_port\n"
+        "chain 'other', perhaps made in app.ops:15: a scheduler that the script computes, priority 0, a period that "
+        "the script computes\n  the script computes the members\n"
+        "chain 'loop' made in app.ops:10: ORO_SCHED_RT, priority 5, not periodic\n  1 c\n"
+        "  in this order unless the property sched_order says otherwise\n",
+        outcome.out);
+    // A script that runs makes its chains, so that there is nothing to foresee.
+    EXPECT_THAT(script(text).out, Not(HasSubstr("made in")));
+}
+
 TEST_F(ChainProcess, TheRealTimeCheckNamesTheMember) {
     const std::string text = document(
         list("c",

@@ -174,10 +174,10 @@ TEST_P(ChainCalls, InNestedChains) {
     enslave(*chain, inner);
     Member x("x", nullptr);
     enslave(inner, x);
-    ASSERT_TRUE(x.start() && inner.start() && chain->start());
     Hello fromInside(x.getOperation("hello"), (*this)["a"].engine());
     std::atomic<int> good{0};
     (*this)["a"].each = [&] { good += fromInside() == "hello from x"; };
+    ASSERT_TRUE(x.start() && inner.start() && chain->start());
     Hello hello(x.getOperation("hello"), RTT::internal::GlobalEngine::Instance());
     EXPECT_EQ("hello from x", hello());
     EXPECT_TRUE(within(5, [&] { return good >= 3; }));

@@ -48,6 +48,9 @@ TEST_F(ChainRealTime, WithStatisticsOverrunsAndFailures) {
 
 TEST_F(ChainRealTime, WhilePeersComeAndGo) {
     OROFORGE_NEEDS_REAL_TIME_TRAP();
+    set(*chain, "report_every", 1);
+    RTT::InputPort<OCL::ChainStatistics> statistics("s");
+    ASSERT_TRUE(statistics.connectTo(chain->getPort("statistics")));
     ASSERT_TRUE(chain->start());
     chain->update();
     for (int i = 0; i < 20; ++i) {
@@ -56,6 +59,9 @@ TEST_F(ChainRealTime, WhilePeersComeAndGo) {
         more->start();
         expectRealTime([this] { chain->update(); });
         EXPECT_EQ(1, more->updates);
+        OCL::ChainStatistics sample;
+        ASSERT_EQ(RTT::NewData, statistics.read(sample));
+        EXPECT_EQ("more" + std::to_string(i), sample.members.back().name);
         delete more;
         expectRealTime([this] { chain->update(); });
     }

@@ -117,6 +117,38 @@ TEST_F(ChainStatistics, OfAMemberThatTakesAKnownTime) {
         EXPECT_THAT(report, HasSubstr(part));
 }
 
+TEST_F(ChainStatistics, OfMembersThatComeAndGo) {
+    add("a");
+    add("b");
+    set(*chain, "report_every", 1);
+    RTT::InputPort<OCL::ChainStatistics> port("port");
+    ASSERT_TRUE(port.connectTo(chain->getPort("statistics")));
+    ASSERT_TRUE(chain->start());
+    OCL::ChainStatistics sample;
+    const auto rows = [&] {
+        cycle();
+        std::vector<std::pair<std::string, unsigned>> result;
+        if (port.read(sample) == RTT::NewData)
+            for (const OCL::ChainMember& row : sample.members) result.emplace_back(row.name, row.times.count);
+        return result;
+    };
+    typedef std::pair<std::string, unsigned> Row;
+    EXPECT_THAT(rows(), ElementsAre(Row("a", 1), Row("b", 1)));
+    add("late");
+    EXPECT_THAT(rows(), ElementsAre(Row("a", 2), Row("b", 2), Row("late", 1)));
+    members.erase(members.begin());
+    EXPECT_THAT(rows(), ElementsAre(Row("a", 2), Row("b", 3), Row("late", 2)));
+    add("a");
+    add("last");
+    EXPECT_THAT(rows(), ElementsAre(Row("a", 3), Row("b", 4), Row("late", 3), Row("last", 1)));
+    chain->resetStats();
+    EXPECT_THAT(rows(), ElementsAre(Row("a", 1), Row("b", 1), Row("late", 1), Row("last", 1)));
+    ASSERT_TRUE(chain->stop());
+    members.erase(members.begin());
+    ASSERT_TRUE(chain->start());
+    EXPECT_EQ(3u, rows().size());
+}
+
 TEST_F(ChainStatistics, AreForgotten) {
     add("a");
     ASSERT_TRUE(chain->start());

@@ -14,6 +14,7 @@
 #include <functional>
 #include <memory>
 #include <thread>
+#include <utility>
 
 namespace stand_in {
 
@@ -84,6 +85,39 @@ struct StandInBase {
 };
 
 inline std::string nameOf(const testing::TestParamInfo<const char*>& info) { return info.param; }
+
+/** A thread that is joined at the end of the scope, also if that is left by a failed assertion or an exception. */
+class Joined {
+public:
+    explicit Joined(std::function<void()> action) : thread_(std::move(action)) {}
+    ~Joined() { join(); }
+    Joined(const Joined&) = delete;
+    Joined& operator=(const Joined&) = delete;
+    void join() {
+        if (thread_.joinable()) thread_.join();
+    }
+
+private:
+    std::thread thread_;
+};
+
+/** A thread that repeats an action until the end of the scope, also if that is left by a failed assertion. */
+class Repeated {
+public:
+    explicit Repeated(const std::function<void()>& action)
+        : thread_([this, action] {
+              while (!end_) action();
+          }) {}
+    ~Repeated() { finish(); }
+    void finish() {
+        end_ = true;
+        thread_.join();
+    }
+
+private:
+    std::atomic<bool> end_{false};
+    Joined thread_;
+};
 
 /** A thread that executes the server until leave(). */
 class Updater {

@@ -81,9 +81,9 @@ TEST(MainStandsIn, ForACallThatFoundAnotherThreadInside) {
     OperationCaller<void()> wait(base.server.getOperation("wait"), internal::GlobalEngine::Instance());
     OperationCaller<int(int)> twice(base.server.getOperation("twice"), base.server.engine());
     wait.send();
-    std::thread updater([&] { EXPECT_TRUE(base.server.update()); });
+    Joined updater([&] { EXPECT_TRUE(base.server.update()); });
     ASSERT_TRUE(eventually([&] { return inside.load(); }));
-    std::thread releaser([&] {
+    Joined releaser([&] {
         usleep(5000);
         leave = true;
     });
@@ -126,7 +126,7 @@ TEST(StandIn, OfASlaveThatWasStopped) {
     StandInBase base;
     base.take(new extras::SlaveActivity);
     std::atomic<bool> updated{false}, end{false};
-    std::thread updater([&] {
+    Joined updater([&] {
         EXPECT_TRUE(base.server.update());
         updated = true;
         EXPECT_TRUE(eventually([&] { return end.load(); }));
@@ -144,22 +144,17 @@ TEST(StandIn, OfASimulationIsNotOverlappedByItsSteps) {
     base.take(new extras::SimulationActivity(0.001));
     ASSERT_TRUE(base.server.start());
     OperationCaller<int(int)> twice(base.server.getOperation("twice"), base.server.engine());
-    std::atomic<bool> end{false};
-    std::thread simulation([&] {
-        while (!end) SimulationThread::Instance()->run(1);
-    });
-    std::thread remover([&] {
-        Forever function;
-        while (!end)
-            if (base.server.engine()->runFunction(&function)) {
-                EXPECT_TRUE(base.server.engine()->removeFunction(&function));
-            }
+    Repeated simulation([] { SimulationThread::Instance()->run(1); });
+    Forever function;
+    Repeated remover([&] {
+        if (base.server.engine()->runFunction(&function)) {
+            EXPECT_TRUE(base.server.engine()->removeFunction(&function));
+        }
     });
     for (int i = 0; i != 2000; ++i) ASSERT_EQ(twice(i), 2 * i);
     EXPECT_TRUE(eventually([&] { return base.server.updates >= 10; }));
-    end = true;
-    simulation.join();
-    remover.join();
+    simulation.finish();
+    remover.finish();
     EXPECT_EQ(base.server.together, 0);
 }
 
@@ -168,18 +163,13 @@ TEST(StandIn, OfASequentialActivityIsNotOverlappedByTriggers) {
     base.take(new extras::SequentialActivity);
     ASSERT_TRUE(base.server.start());
     OperationCaller<int(int)> twice(base.server.getOperation("twice"), base.server.engine());
-    std::atomic<bool> end{false};
-    std::thread restarts([&] {
-        while (!end)
-            if (base.server.getActivity()->stop()) base.server.getActivity()->start();
+    Repeated restarts([&] {
+        if (base.server.getActivity()->stop()) base.server.getActivity()->start();
     });
-    std::thread triggers([&] {
-        while (!end) base.server.trigger();
-    });
+    Repeated triggers([&] { base.server.trigger(); });
     for (int i = 0; i != 2000; ++i) ASSERT_EQ(twice(i), 2 * i);
-    end = true;
-    restarts.join();
-    triggers.join();
+    restarts.finish();
+    triggers.finish();
     EXPECT_EQ(base.server.together, 0);
 }
 

@@ -3,6 +3,8 @@
 #ifndef RTT_EXTRAS_DETAIL_POLL_WAKER_HPP
 #define RTT_EXTRAS_DETAIL_POLL_WAKER_HPP
 
+#include <rtt/os/descriptor.hpp>
+
 #include <atomic>
 #include <cstdint>
 #include <sys/eventfd.h>
@@ -22,26 +24,23 @@ namespace detail {
 class PollWaker {
 public:
     PollWaker() = default;
-    ~PollWaker() {
-        if (fd_ >= 0) ::close(fd_);
-    }
     PollWaker(const PollWaker&) = delete;
     PollWaker& operator=(const PollWaker&) = delete;
 
     /** Creates the descriptor if there is none; false, with errno, if the system refuses. Must be called before any
         sleep. */
     bool open() noexcept {
-        if (fd_ < 0) fd_ = ::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
-        return fd_ >= 0;
+        if (!fd_) fd_.reset(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK));
+        return static_cast<bool>(fd_);
     }
-    int fd() const noexcept { return fd_; }
+    int fd() const noexcept { return fd_.get(); }
 
     /** Any thread; real-time safe. Release, as in WakeWord::post(). */
     void post(std::uint32_t signals) noexcept {
         // If the thread is asleep, fd_ exists; it is closed only after the thread has ended. Acquire, to see it.
         if (word_.fetch_or(signals, std::memory_order_acq_rel) != kAsleep) return;
         const std::uint64_t one = 1;
-        const ssize_t written = ::write(fd_, &one, sizeof one);
+        const ssize_t written = ::write(fd_.get(), &one, sizeof one);
         (void)written;  // cannot be full: the thread reads it after each sleep
     }
     /** Removes signals that were not taken. */
@@ -58,14 +57,14 @@ public:
     /** Called by the waiting thread when poll() found the descriptor readable. */
     void drain() noexcept {
         std::uint64_t count = 0;
-        const ssize_t got = ::read(fd_, &count, sizeof count);
+        const ssize_t got = ::read(fd_.get(), &count, sizeof count);
         (void)got;
     }
 
 private:
     static constexpr std::uint32_t kAsleep = 0x80000000u;
     std::atomic<std::uint32_t> word_{0};
-    int fd_ = -1;
+    os::detail::Descriptor fd_;
 };
 
 }  // namespace detail

@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <initializer_list>
+#include <type_traits>
+#include <utility>
 
 namespace RTT::scripting::detail {
 
@@ -32,6 +34,42 @@ std::vector<const std::string*> textsOf(const ast::Expressions& arguments) {
         texts.push_back(literal ? std::get_if<std::string>(&literal->value) : nullptr);
     }
     return texts;
+}
+
+std::optional<double> numberOf(const ast::Expression& expression) {
+    if (const auto* const unary = std::get_if<ast::Unary>(&expression.what)) {
+        const std::optional<double> value = unary->op == '-' ? numberOf(*unary->operand) : std::nullopt;
+        return value ? std::optional<double>(-*value) : std::nullopt;
+    }
+    const auto* const literal = std::get_if<ast::Literal>(&expression.what);
+    if (!literal) return std::nullopt;
+    return std::visit(
+        [](const auto& value) -> std::optional<double> {
+            typedef std::decay_t<decltype(value)> T;
+            if constexpr (std::is_arithmetic_v<T> && !std::is_same_v<T, bool> && !std::is_same_v<T, char>)
+                return static_cast<double>(value);
+            else
+                return std::nullopt;
+        },
+        literal->value);
+}
+
+ForeseenArgument argumentOf(const ast::Expression& expression) {
+    ForeseenArgument result;
+    result.number = numberOf(expression);
+    const auto* const name = std::get_if<ast::Name>(&expression.what);
+    if (!name || name->parts.size() != 1) return result;
+    if (!name->called) {
+        result.name = name->parts.front().text;
+    } else if (name->parts.front().text == "strings") {
+        std::vector<std::string> list;
+        for (const std::string* const text : textsOf(name->arguments)) {
+            if (!text) return result;
+            list.push_back(*text);
+        }
+        result.list = std::move(list);
+    }
+    return result;
 }
 
 /** The operation at the path; null if there is none. `known` is false if the path leads to something that does not
@@ -109,6 +147,7 @@ void ScriptChecker::foresee(const FoundCall& call, diag::Sink& found) {
     ForeseenCall foreseen;
     for (const ast::Identifier& part : path) foreseen.path.push_back(part.text);
     foreseen.texts = textsOf(call.name->arguments);
+    for (const ast::ExpressionPtr& argument : call.name->arguments) foreseen.others.push_back(argumentOf(*argument));
     foreseen.certain = certain && certain_;
     foreseen.ignored = call.ignored;
     foreseen.script = file_->name;

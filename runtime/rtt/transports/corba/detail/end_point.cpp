@@ -2,6 +2,8 @@
 // Copyright Oroforge contributors
 #include <rtt/transports/corba/detail/end_point.hpp>
 
+#include <rtt/os/descriptor.hpp>
+
 #include <atomic>
 #include <memory>
 
@@ -34,12 +36,11 @@ std::string addressTowards(const std::string& host) {
     if (getaddrinfo(host.c_str(), "2809", &hints, &found) != 0 || !found) return {};
     const std::unique_ptr<addrinfo, void (*)(addrinfo*)> owned(found, freeaddrinfo);
     // Nothing is sent: connecting only chooses the address.
-    const int plug = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+    const os::detail::Descriptor plug(socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
     sockaddr_in own{};
     socklen_t size = sizeof own;
-    const bool known = plug != -1 && connect(plug, found->ai_addr, found->ai_addrlen) == 0 &&
-                       getsockname(plug, reinterpret_cast<sockaddr*>(&own), &size) == 0;
-    if (plug != -1) close(plug);
+    const bool known = plug && connect(plug.get(), found->ai_addr, found->ai_addrlen) == 0 &&
+                       getsockname(plug.get(), reinterpret_cast<sockaddr*>(&own), &size) == 0;
     char text[INET_ADDRSTRLEN] = "";
     return known && inet_ntop(AF_INET, &own.sin_addr, text, sizeof text) ? text : std::string();
 }

@@ -4,6 +4,7 @@
 
 #include <rtt/Logger.hpp>
 #include <rtt/os/MutexLock.hpp>
+#include <rtt/os/descriptor.hpp>
 
 #include <algorithm>
 #include <cerrno>
@@ -25,11 +26,10 @@ constexpr useconds_t kPause = 10000;    // us, after an error of poll()
 
 /** Reports when a queue is made; -1 if nobody has mounted the file system of the queues. */
 int watchQueues() {
-    const int watch = inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
-    if (watch != -1 && inotify_add_watch(watch, "/dev/mqueue", IN_CREATE) != -1) return watch;
+    os::detail::Descriptor watch(inotify_init1(IN_NONBLOCK | IN_CLOEXEC));
+    if (watch && inotify_add_watch(watch.get(), "/dev/mqueue", IN_CREATE) != -1) return watch.release();
     log(Info) << "receivers do not notice when a sender makes its queue anew: " << std::strerror(errno)
               << " (/dev/mqueue, inotify)" << endlog();
-    if (watch != -1) close(watch);
     return -1;
 }
 
