@@ -44,6 +44,7 @@ LAYER_OF = {
     "deployer/console/": "console",
     "deployer/lua/": "lua",
     "deployer/reporting/": "reporting",
+    "deployer/reporting/mcap/": "mcap",     # the file format alone
     "deployer/logging/": "logging",
     "deployer/components/": "components",
     "deployer/chain/": "chain",
@@ -109,7 +110,8 @@ MAY_INCLUDE = {
     "deployment": DEPLOYER | {"corba", "cpf"},
     "console": DEPLOYER,
     "lua": DEPLOYER,
-    "reporting": DEPLOYER,
+    "mcap": set(),
+    "reporting": DEPLOYER | {"encoding", "mcap"},
     "logging": DEPLOYER,
     "components": DEPLOYER,
     "chain": DEPLOYER,
@@ -151,6 +153,7 @@ FOREIGN = {
     r"(lua5\.\d/)?(lua|lauxlib|lualib)\.h(pp)?": ["deployer/lua/"],
     r"log4cpp/": ["deployer/logging/", "deployer/ocl/", "deployer/bin/", "tests/unit/logging/", "bench/"],
     r"netcdf(\.h|_)": ["deployer/reporting/", "tests/unit/components/"],
+    r"(zstd|lz4(frame|hc)?)\.h": ["deployer/reporting/mcap/"],
     r"(histedit\.h|editline/|readline/)": ["deployer/console/"],
     r"(ros|roscpp|tf2?|actionlib|dynamic_reconfigure)/": ["ros/", "tests/unit/ros_", "bench/ros_"],
     # Of the runtime, what stays out of components and their libraries.
