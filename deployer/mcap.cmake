@@ -30,3 +30,16 @@ foreach(library ZSTD LZ4)
     message(STATUS "${name} (lib${name}-dev) is not installed: recordings cannot be compressed by it")
   endif()
 endforeach()
+
+oroforge_component_library(reporting-mcap
+  reporting/recording/McapReporting.cpp
+  reporting/recording/chunk_pipe.cpp
+  reporting/recording/components.cpp
+  reporting/recording/options.cpp
+  reporting/recording/record_file.cpp
+  reporting/recording/recorded_source.cpp
+  reporting/recording/recording.cpp)
+target_link_libraries(orocos-ocl-reporting-mcap
+  PUBLIC orocos-ocl-reporting
+  PRIVATE orocos-rtt-encoding $<BUILD_INTERFACE:oroforge_mcap> $<BUILD_INTERFACE:oroforge_diag>)
+target_compile_definitions(orocos-ocl-reporting-mcap PRIVATE OROFORGE_VERSION="${PROJECT_VERSION}")

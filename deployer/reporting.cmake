@@ -11,10 +11,12 @@ oroforge_component_library(reporting
   reporting/record_queue.cpp
   reporting/record_ring.cpp
   reporting/report_entries.cpp
+  reporting/report_file.cpp
   reporting/row_text.cpp
   reporting/row_writer.cpp
   reporting/running_report.cpp
   reporting/screen.cpp
+  reporting/screen_file.cpp
   reporting/source.cpp
   reporting/text_target.cpp
   reporting/value_tree.cpp)

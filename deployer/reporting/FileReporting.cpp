@@ -2,12 +2,12 @@
 // Copyright Oroforge contributors
 #include <ocl/FileReporting.hpp>
 
+#include "screen_file.hpp"
 #include "text_target.hpp"
 
 #include <rtt/Logger.hpp>
 
 #include <iostream>
-#include <sstream>
 
 namespace OCL {
 
@@ -28,20 +28,7 @@ bool FileReporting::startHook() {
 
 bool FileReporting::screenComponent(const std::string& component) {
     if (!getPeer(component)) return screenImpl(component, std::cerr);  // which reports the error
-    if (component.find('/') != std::string::npos) {
-        RTT::log(RTT::Error) << "could not screen component '" << component
-                             << "': a name with a '/' would write to another folder" << RTT::endlog();
-        return false;
-    }
-    const std::string name = component + ".screen";
-    std::string error;
-    std::ostringstream text;
-    if (!screenImpl(component, text)) return false;
-    if (const std::unique_ptr<reporting::TextTarget> file = reporting::openFile(name, error))
-        error = file->write(text.str().data(), text.str().size());
-    if (error.empty()) return true;
-    RTT::log(RTT::Error) << "could not write file '" << name << "': " << error << RTT::endlog();
-    return false;
+    return reporting::writeScreenFile(component, [&](std::ostream& to) { return screenImpl(component, to); });
 }
 
 }  // namespace OCL

@@ -34,6 +34,8 @@ public:
 
     /** Where that many bytes of a message are to be written, before add(); null if there is no room for them. */
     unsigned char* place(std::size_t size);
+    /** The number of bytes that place() has room for; 0 also if there is none for a message without data. */
+    std::size_t left() const { return room_ - size_ < kMessageHead ? 0 : room_ - size_ - kMessageHead; }
     /** Adds the message whose data have been written there. Its `data` is ignored. */
     void add(const Message& message);
 

@@ -45,7 +45,12 @@ public:
         packed_.head = head;
         packed_.before.clear();
         put(packed_.before, head);
-        packed_.packed.assign(record.end() - static_cast<std::ptrdiff_t>(head.packedSize), record.end());
+        // Bytes may follow the packed ones.
+        Cursor content(record.data(), record.size());
+        ChunkHead again;
+        (void)getHead(content, again);
+        const unsigned char* const packed = content.take(head.packedSize);
+        packed_.packed.assign(packed, packed + head.packedSize);
         packed_.body = packed_.packed.data();
     }
     void message(const Message& message) override {
