@@ -67,7 +67,7 @@ TEST_F(SchemaTexts, NumbersAndTextsAreThoseOfRos) {
     EXPECT_EQ("std_msgs/msg/String", described<std::string>().name);
     EXPECT_EQ("std_msgs/msg/Bool", described<bool>().name);
     EXPECT_EQ("std_msgs::Int32", described<int>(SchemaLanguage::OmgIdl).name);
-    EXPECT_EQ("module std_msgs { \nstruct Int32 {\n  int32 data;\n};\n};\n",
+    EXPECT_EQ("module std_msgs {\nstruct Int32 {\n  int32 data;\n};\n};\n",
               described<int>(SchemaLanguage::OmgIdl).text);
     EXPECT_EQ("float64[] data\n", described<std::vector<double>>().text);
 }
@@ -86,11 +86,11 @@ TEST_F(SchemaTexts, StructsFollowEachOther) {
 TEST_F(SchemaTexts, CapitalsMakeItIdlWithUnitsAndDescriptions) {
     const SchemaText text = described<Joint>();
     EXPECT_EQ("omgidl", text.encoding);
-    EXPECT_EQ("test::arm::Joint", text.name);
-    EXPECT_THAT(text.text, HasSubstr("module test { module arm { \nstruct Joint {\n"
+    EXPECT_EQ("test_arm::Joint", text.name);
+    EXPECT_THAT(text.text, HasSubstr("module test_arm {\nstruct Joint {\n"
                                      "  double angleRad;  // The angle of it. [rad]\n"
                                      "  float speed;  // [rad/s]\n"));
-    EXPECT_THAT(text.text, HasSubstr("  int16 _string;\n};\n}; };\n"));
+    EXPECT_THAT(text.text, HasSubstr("  int16 _string;\n};\n};\n"));
     EXPECT_THAT(text.units, ElementsAre(Pair("angleRad", "rad"), Pair("speed", "rad/s")));
     EXPECT_THAT(text.illegal, HasSubstr("the field 'angleRad' of test_arm/Joint"));
 }
@@ -106,6 +106,18 @@ TEST_F(SchemaTexts, RosNamesAreMadeOnRequest) {
     EXPECT_FALSE(RTT::encoding::describeType(*RTT::types::Types()->getTypeById(typeid(Joint).name()),
                                              SchemaLanguage::Ros2Msg, false, none, why));
     EXPECT_THAT(why, HasSubstr("'angleRad'"));
+}
+
+TEST_F(SchemaTexts, StructsWithoutFieldsHaveTheirByte) {
+    EXPECT_EQ("uint8 structure_needs_at_least_one_member\n", described<encoded::Nothing>().text);
+    EXPECT_EQ("module encoded {\nstruct Nothing {\n  uint8 structure_needs_at_least_one_member;\n};\n};\n",
+              described<encoded::Nothing>(SchemaLanguage::OmgIdl).text);
+}
+
+TEST_F(SchemaTexts, TypesThatContainThemselvesAreIdl) {
+    const SchemaText text = described<encoded::Tree>();
+    EXPECT_EQ("omgidl", text.encoding);
+    EXPECT_THAT(text.illegal, HasSubstr("encoded/Tree contains itself"));
 }
 
 TEST_F(SchemaTexts, TypesWithoutAShapeHaveNone) {

@@ -147,6 +147,20 @@ TEST_P(Recording, GoesOnBehindALengthThatIsWrongByItsIndex) {
               found.problems[0].line("run.mcap"));
 }
 
+TEST_P(Recording, WhoseFirstLengthIsWrongIsReadByItsIndex) {
+    Bytes bytes = file.bytes();
+    putNumber<std::uint64_t>(&bytes[sizeof kMagic + 1], ~std::uint64_t(0));  // of the header
+    const Found found(bytes);
+    EXPECT_EQ(messages, found.messages);
+    EXPECT_EQ(2U, found.channels.size());
+    MemorySource source(bytes.data(), bytes.size());
+    MemorySink sink;
+    EXPECT_EQ(messages.size(), salvage(source, sink).messages);
+    const Found salvaged(sink.bytes);
+    EXPECT_TRUE(salvaged.problems.empty() && salvaged.scanned.hasEnd);
+    EXPECT_EQ(messages, salvaged.messages);
+}
+
 TEST_P(Recording, TakesNoMemoryForWhatAChunkPromises) {
     Bytes bytes = file.bytes();
     putNumber<std::uint64_t>(&bytes[file.chunks[1] + kRecordHead + 16], std::uint64_t(1) << 31);  // its size

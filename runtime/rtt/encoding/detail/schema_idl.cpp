@@ -55,18 +55,21 @@ std::string declaration(const SchemaField& field) {
 
 std::string lineEnd(const std::string& comment) { return comment.empty() ? "\n" : "  // " + comment + "\n"; }
 
-std::string inModules(const std::vector<std::string>& path, const std::string& text) {
-    std::string out;
-    for (const std::string& part : path) out += "module " + legal(part) + " { ";
-    out += "\n" + text;
-    for (std::size_t i = 0; i != path.size(); ++i) out += "}; ";
-    out.back() = '\n';
-    return out;
+/** A module has the names of all namespaces, because a type within a struct cannot be in a module of its name. */
+std::string moduleOf(const std::vector<std::string>& path) {
+    std::string name;
+    for (const std::string& part : path) name += (name.empty() ? "" : "_") + part;
+    return legal(name);
+}
+
+std::string inModule(const std::string& module, const std::string& text) {
+    return "module " + module + " {\n" + text + "};\n";
 }
 
 std::string structText(const SchemaStruct& one) {
     std::string out =
         one.isUnion ? "union " + legal(one.name) + " switch (uint32) {\n" : "struct " + legal(one.name) + " {\n";
+    if (one.hasByte) out += std::string("  uint8 ") + kEmptyField + ";\n";
     std::size_t number = 0;
     for (const SchemaField& field : one.fields) {
         out += one.isUnion ? "  case " + std::to_string(number++) + ": " : "  ";
@@ -89,11 +92,7 @@ std::string constantsOf(const Form& enumeration) {
 
 }  // namespace
 
-std::string idlName(const SchemaStruct& one) {
-    std::string name;
-    for (const std::string& part : one.path) name += legal(part) + "::";
-    return name + legal(one.name);
-}
+std::string idlName(const SchemaStruct& one) { return moduleOf(one.path) + "::" + legal(one.name); }
 
 std::string idlText(const SchemaModel& model) {
     std::string out;
@@ -103,9 +102,9 @@ std::string idlText(const SchemaModel& model) {
             const Form* const basic = field.basic;
             if (!basic || basic->shape.kind != Shape::Kind::Enumeration || basic->hasBool) continue;
             if (basic->shape.enumerators.empty() || !enumerations.insert(basic).second) continue;
-            out += inModules(pathOf(*basic), constantsOf(*basic));
+            out += inModule(moduleOf(pathOf(*basic)) + "_values", constantsOf(*basic));
         }
-        out += inModules(one->path, structText(*one));
+        out += inModule(moduleOf(one->path), structText(*one));
     }
     return out;
 }

@@ -161,15 +161,27 @@ SchemaStruct& SchemaModel::newStruct(const std::string& typeName) {
     return newStruct(parts, name);
 }
 
-const SchemaStruct* SchemaModel::structOf(const Form& form) {
-    const auto [entry, isNew] = known_.emplace(&form, nullptr);
-    if (!isNew) return entry->second;
-    SchemaStruct& its = newStruct(typeNameOf(form));
-    entry->second = &its;  // it may contain itself
-    if (form.shape.kind == Shape::Kind::Variant) return variantOf(form, its);
-    for (const FormField& field : form.fields) add(its, field.name, *field.form, field.count, field.doc, field.unit);
+const SchemaStruct* SchemaModel::again(const SchemaStruct* known) {
+    if (unfinished_.count(known) != 0) recursive_ = known;
+    return known;
+}
+
+const SchemaStruct* SchemaModel::finished(SchemaStruct& its) {
+    unfinished_.erase(&its);
     order_.push_back(&its);
     return &its;
+}
+
+const SchemaStruct* SchemaModel::structOf(const Form& form) {
+    const auto [entry, isNew] = known_.emplace(&form, nullptr);
+    if (!isNew) return again(entry->second);
+    SchemaStruct& its = newStruct(typeNameOf(form));
+    entry->second = &its;
+    unfinished_.insert(&its);
+    if (form.shape.kind == Shape::Kind::Variant) return variantOf(form, its);
+    its.hasByte = form.steps.empty();
+    for (const FormField& field : form.fields) add(its, field.name, *field.form, field.count, field.doc, field.unit);
+    return finished(its);
 }
 
 const SchemaStruct* SchemaModel::variantOf(const Form& form, SchemaStruct& its) {
@@ -183,8 +195,7 @@ const SchemaStruct* SchemaModel::variantOf(const Form& form, SchemaStruct& its) 
         its.fields.back().name = identifier(field.name);
         its.fields.back().type = nothing();
     }
-    order_.push_back(&its);
-    return &its;
+    return finished(its);
 }
 
 /** A struct without bytes, for the alternative of a variant that has no value. */
@@ -196,12 +207,12 @@ const SchemaStruct* SchemaModel::nothing() {
 /** A struct with nothing but a list, because no language has lists of lists. */
 const SchemaStruct* SchemaModel::listOf(const Form& form) {
     const auto [entry, isNew] = known_.emplace(&form, nullptr);
-    if (!isNew) return entry->second;
+    if (!isNew) return again(entry->second);
     SchemaStruct& its = newStruct(typeNameOf(form));
     entry->second = &its;
+    unfinished_.insert(&its);
     add(its, "data", form, 0, "", "");
-    order_.push_back(&its);
-    return &its;
+    return finished(its);
 }
 
 void SchemaModel::add(SchemaStruct& to, const std::string& name, const Form& whole, std::size_t count, const char* doc,
@@ -244,6 +255,7 @@ void SchemaModel::useRosNames() {
 }
 
 std::string SchemaModel::whyNotRos() const {
+    if (recursive_) return rosName(*recursive_, "/") + " contains itself";
     for (const SchemaStruct* one : order_) {
         if (one->isUnion) return rosName(*one, "/") + " is one of several types";
         for (const SchemaField& field : one->fields)

@@ -33,6 +33,7 @@ struct SchemaStruct {
     std::vector<std::string> path;  // its namespaces
     std::string name;
     bool isUnion = false;  // of a variant: each field is an alternative
+    bool hasByte = false;  // it has no fields, and the encoding has a byte for it
     std::vector<SchemaField> fields;
 };
 
@@ -51,6 +52,8 @@ public:
 
 private:
     const SchemaStruct* structOf(const Form& form);
+    const SchemaStruct* again(const SchemaStruct* known);
+    const SchemaStruct* finished(SchemaStruct& its);
     const SchemaStruct* variantOf(const Form& form, SchemaStruct& its);
     const SchemaStruct* listOf(const Form& form);
     const SchemaStruct* nothing();
@@ -65,11 +68,15 @@ private:
     std::set<std::string> names_;
     std::vector<const SchemaStruct*> order_;
     const SchemaStruct* nothing_ = nullptr;
+    std::set<const SchemaStruct*> unfinished_;
+    const SchemaStruct* recursive_ = nullptr;  // one that contains itself
     const SchemaStruct* root_;
 };
 
 /** The number that encodes a number or an enumeration; for an enumeration of bool, Bool. */
 types::Shape::Number numberOf(const Form& basic);
+/** How ROS calls the byte of a struct without fields. */
+constexpr const char* kEmptyField = "structure_needs_at_least_one_member";
 /** A text in one line, as a comment needs it. */
 std::string oneLine(const char* text);
 /** The description and the unit of a field; empty if it has neither. */

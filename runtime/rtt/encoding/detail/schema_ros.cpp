@@ -58,7 +58,7 @@ std::string fieldsOf(const SchemaStruct& one) {
         if (field.count != 0) out += "[" + std::to_string(field.count) + "]";
         out += " " + field.name + lineEnd(commentOf(field));
     }
-    if (one.fields.empty()) out += "uint8 structure_needs_at_least_one_member\n";
+    if (one.hasByte) out += std::string("uint8 ") + kEmptyField + "\n";
     return out;
 }
 
