@@ -33,6 +33,7 @@ public:
         (void)writer_.add(channel);
     }
     void metadata(const Metadata& metadata) override {
+        begin();
         flush();
         (void)writer_.add(metadata);
     }

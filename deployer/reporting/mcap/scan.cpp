@@ -150,6 +150,7 @@ private:
         if (!summary_) {
             summary_.reset(new Summary);
             if (readSummary(source_, *summary_)) return false;
+            visitRepeated();
         }
         for (const ChunkIndex& index : summary_->chunks)
             if (index.offset > at_ && index.offset < source_.size()) {
@@ -157,6 +158,13 @@ private:
                 return true;
             }
         return false;
+    }
+
+    /** The schemas and channels may be in what is skipped. */
+    void visitRepeated() {
+        for (const auto& [id, schema] : summary_->schemas) visitor_.schema(schema);
+        for (const auto& [id, channel] : summary_->channels)
+            if (known_.insert(id).second) visitor_.channel(channel);
     }
 
     /** Passes everything on and counts the problems. */
