@@ -90,8 +90,8 @@ RecordFile::~RecordFile() = default;
 
 bool RecordFile::note(bool good) {
     if (good || failed()) return good;
-    error_ = file_ + ": byte " + std::to_string(writer_.offset()) +
-             ": error: [MCP009] the recording cannot be written: " + writer_.error() +
+    error_ = file_ + ": byte " + std::to_string(writer_.offset()) + ": error: [" + std::string("MCP009") +
+             "] the recording cannot be written: " + writer_.error() +
              "; what is in front of this byte can be read, what comes now is lost";
     return false;
 }

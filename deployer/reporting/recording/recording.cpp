@@ -73,9 +73,9 @@ void Recording::add(const std::shared_ptr<reporting::Source>& source) {
     std::string why;
     std::unique_ptr<RecordedSource> added = RecordedSource::make(source, options_.sources, why);
     if (!added || content_.channels.size() == 0xffffU) {
-        RTT::log(RTT::Error) << "'" << options_.component << "' does not record '" << source->name()
-                             << "': error: [MCP011] " << (added ? "a file has at most 65535 channels" : why)
-                             << RTT::endlog();
+        RTT::log(RTT::Error) << "'" << options_.component << "' does not record '" << source->name() << "': error: ["
+                             << "MCP011"
+                             << "] " << (added ? "a file has at most 65535 channels" : why) << RTT::endlog();
         return;
     }
     if (options_.sources.language == RTT::encoding::SchemaLanguage::Auto && !added->schema().illegal.empty())
