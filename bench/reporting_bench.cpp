@@ -1,82 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// FileReporting of many ports of doubles: what a row costs the reporter's thread, and a run at 1 kHz.
-#include <ocl/FileReporting.hpp>
-#include <rtt/Activity.hpp>
-#include <rtt/Attribute.hpp>
-#include <rtt/Logger.hpp>
-#include <rtt/OutputPort.hpp>
-#include <rtt/Property.hpp>
-#include <rtt/extras/SlaveActivity.hpp>
-#include <rtt/os/startstop.h>
+// Reports of many ports of doubles: what a row costs the reporter's thread and the one that writes, and runs at 1 kHz.
+#include "reporting_setup.hpp"
 
-#include <benchmark/benchmark.h>
+#include <ocl/FileReporting.hpp>
 
 #include <algorithm>
-#include <chrono>
-#include <cstdio>
-#include <cstdlib>
-#include <dlfcn.h>
 #include <fstream>
 #include <iterator>
-#include <memory>
-#include <string>
-#include <thread>
-#include <vector>
 
 namespace {
 
+using namespace reporting_bench;
+
 const char* const kFile = "reporting_bench.dat";
 
-void startRuntime() {
-    static const bool once = [] {
-        RTT::Logger::Instance()->setLogLevel(RTT::Never);  // rows that come without pause may find no room
-        static char name[] = "reporting_bench";
-        static char* words[] = {name, nullptr};
-        void* const library = dlopen(RTT_TYPEKIT_FILE, RTLD_NOW);
-        if (__os_init(1, words) != 0 || !library) std::abort();
-        return reinterpret_cast<bool (*)(void*)>(dlsym(library, "loadRTTPlugin"))(nullptr);
-    }();
-    if (!once) std::abort();
+long lines(const char* name) {
+    std::ifstream file(name);
+    return std::count(std::istreambuf_iterator<char>(file), {}, '\n');
 }
-
-/** A component with that many ports, and a reporter of them. */
-class Setup {
-public:
-    explicit Setup(long ports) {
-        startRuntime();
-        for (long i = 0; i < ports; ++i) {
-            ports_.push_back(std::make_unique<RTT::OutputPort<double>>("port" + std::to_string(i)));
-            component_.addPort(*ports_.back());
-        }
-        reporter.addPeer(&component_);
-        RTT::Property<std::string>(reporter.getProperty("ReportFile")).set(kFile);
-        if (!reporter.reportComponent("component")) std::abort();
-    }
-    ~Setup() { std::remove(kFile); }
-
-    void write() {
-        value_ += 0.123456;
-        for (const auto& port : ports_) port->write(value_);
-    }
-    long lines() const {
-        std::ifstream file(kFile);
-        return std::count(std::istreambuf_iterator<char>(file), {}, '\n');
-    }
-    unsigned lost() { return RTT::Attribute<unsigned>(reporter.getAttribute("LostRows")).get(); }
-
-private:
-    RTT::TaskContext component_{"component"};
-    std::vector<std::unique_ptr<RTT::OutputPort<double>>> ports_;
-    double value_ = 0;
-
-public:
-    OCL::FileReporting reporter{"reporter"};
-};
 
 /** A row, with new samples in all ports; the thread that writes works beside it. */
 void Row(benchmark::State& state) {
-    Setup setup(state.range(0));
+    Setup<OCL::FileReporting> setup(state.range(0), kFile);
     setup.reporter.setActivity(new RTT::extras::SlaveActivity(0.001));
     if (!setup.reporter.start()) std::abort();
     for (auto _ : state) {
@@ -93,7 +39,7 @@ BENCHMARK(Row)->Arg(1)->Arg(100)->Arg(1000)->Unit(benchmark::kMicrosecond);
 /** Rows that are written completely, from the first to the last byte in the file. */
 void WholeReport(benchmark::State& state) {
     constexpr int kRows = 1000;
-    Setup setup(state.range(0));
+    Setup<OCL::FileReporting> setup(state.range(0), kFile);
     setup.reporter.setActivity(new RTT::extras::SlaveActivity(0.001));
     for (auto _ : state) {
         if (!setup.reporter.start()) std::abort();
@@ -102,35 +48,14 @@ void WholeReport(benchmark::State& state) {
             setup.reporter.update();
         }
         setup.reporter.stop();
-        if (setup.lines() != kRows + 2) state.SkipWithError("rows are missing");
+        if (lines(kFile) != kRows + 2) state.SkipWithError("rows are missing");
     }
     state.SetItemsProcessed(state.iterations() * kRows);
 }
 BENCHMARK(WholeReport)->Arg(1000)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-/** The promise: 1,000 ports at 1 kHz for OROFORGE_BENCH_SECONDS (2) seconds, in threads of their own. */
-void AtOneKilohertz(benchmark::State& state) {
-    const char* const given = std::getenv("OROFORGE_BENCH_SECONDS");
-    const int seconds = given ? std::atoi(given) : 2;
-    for (auto _ : state) {
-        Setup setup(state.range(0));
-        RTT::Activity::Options options;
-        options.name = "reporter";
-        options.scheduler = ORO_SCHED_RT;
-        options.priority = 80;
-        options.period = 0.001;
-        setup.reporter.setActivity(new RTT::Activity(options));
-        if (!setup.reporter.start()) std::abort();
-        const auto begin = std::chrono::steady_clock::now();
-        for (int i = 0; i < seconds * 1000; ++i) {
-            setup.write();
-            std::this_thread::sleep_until(begin + std::chrono::milliseconds(i + 1));
-        }
-        setup.reporter.stop();
-        state.counters["rows"] = static_cast<double>(setup.lines() - 1);
-        state.counters["lost"] = setup.lost();
-    }
-}
+/** The promise: 1,000 ports at 1 kHz. */
+void AtOneKilohertz(benchmark::State& state) { atOneKilohertz<OCL::FileReporting>(state, kFile, &lines); }
 BENCHMARK(AtOneKilohertz)->Arg(1000)->Iterations(1)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright Oroforge contributors
-# Debian packages of the toolchain, by cpack (./dev package): runtime, dev and tools, and ros where ROS is installed, which
-# together are a full installation.
+# Debian packages of the toolchain, by cpack (./dev package): runtime, dev and tools, netcdf and ros where their libraries are
+# installed, which together are a full installation.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME oroforge)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
@@ -13,6 +13,10 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
   OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 set(CPACK_COMPONENTS_ALL runtime dev tools)
+if(TARGET ocl-netcdf-writer)
+  list(APPEND CPACK_COMPONENTS_ALL netcdf)
+  set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS oroforge-netcdf)
+endif()
 if(TARGET rtt_rostopic)
   list(APPEND CPACK_COMPONENTS_ALL ros)
 endif()
@@ -50,6 +54,9 @@ plugins, typekits and packages of them.")
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME oroforge-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "oroforge-runtime ${same_version}, cmake (>= 3.19), g++ | c++-compiler, libboost-dev, pkg-config")
+if(TARGET orocos-ocl-logging)
+  string(APPEND CPACK_DEBIAN_DEV_PACKAGE_DEPENDS ", liblog4cpp5-dev")
+endif()
 set(CPACK_DEBIAN_DEV_PACKAGE_RECOMMENDS "oroforge-tools ${same_version}, make | ninja-build")
 
 set(CPACK_COMPONENT_TOOLS_DESCRIPTION "code generators for components of Oroforge
@@ -71,6 +78,14 @@ set(CPACK_DEBIAN_ROS_PACKAGE_SECTION libs)
 set(CPACK_DEBIAN_ROS_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_ROS_PACKAGE_DEPENDS "oroforge-runtime ${same_version}")
 set(CPACK_DEBIAN_ROS_PACKAGE_RECOMMENDS "oroforge-dev ${same_version}, libroscpp-dev, libstd-msgs-dev")
+
+# A package of its own: libnetcdf brings 23 packages and 50 MB that a robot may do without.
+set(CPACK_COMPONENT_NETCDF_DESCRIPTION "reports of Oroforge as NetCDF files
+What the component type OCL::NetcdfReporting loads when it starts.")
+set(CPACK_DEBIAN_NETCDF_PACKAGE_NAME oroforge-netcdf)
+set(CPACK_DEBIAN_NETCDF_PACKAGE_SECTION libs)
+set(CPACK_DEBIAN_NETCDF_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_NETCDF_PACKAGE_DEPENDS "oroforge-runtime ${same_version}")
 
 # Files that only Debian packages need.
 set(folder ${PROJECT_BINARY_DIR}/packaging)

@@ -32,7 +32,7 @@ function(oroforge_ocl_service name)
   set_property(GLOBAL APPEND PROPERTY OROFORGE_COMPONENT_SERVICES ${target})
 endfunction()
 
-oroforge_component_library(common components/common.cpp components/HMIConsoleOutput.cpp)
+include(chain.cmake)
 oroforge_component_library(helloworld components/HelloWorld.cpp)
 oroforge_component_library(timer components/TimerComponent.cpp)
 oroforge_ocl_service(os components/os_service.cpp)

@@ -65,8 +65,6 @@ foreach(program ${programs})
   string(REPLACE - _ source ${program})
   oroforge_target_program(${program} bin/${source}.cpp)
   target_link_libraries(${program} PRIVATE oroforge_lua_program oroforge_deployer_program orocos-ocl-lua)
-  # Besides its own libraries, it needs one of components.
-  set_property(TARGET ${program} APPEND PROPERTY INSTALL_RPATH "$ORIGIN/../lib/orocos/${OROCOS_TARGET}/ocl")
 endforeach()
 target_link_libraries(rttlua-tlsf PRIVATE orocos-ocl-lua-tlsf)
 if(TARGET rttlua-corba)

@@ -10,9 +10,12 @@
 #   [TIMEOUT <seconds>]      for each test case, default 60
 #   [PREFIX <text>]          before each test name; default "<name>."
 #   [NO_MAIN]                the sources bring their own main()
+#   [AS_ONE]                 sources below tests/unit are compiled as one, because their headers take longer: they share the
+#                            unnamed namespace
 #   [OWN_HEADERS]            without a precompiled header: the test is about what includes bring
 #   [SERIAL]                 never beside another test (timing, memory limits)
-#   [TOGETHER])              all cases in one process, as one test: they share what is slow to start
+#   [TOGETHER]               all cases in one process, as one test: they share what is slow to start
+#   [SHARED <pattern>])      so do only the cases of this --gtest_filter, without exclusions
 #
 # oroforge_add_script_test(<name> COMMAND <word>… [LABELS …] [DEPENDS <target>…] [ENVIRONMENT …] [TIMEOUT s] [PARALLEL] [SERIAL])
 #   a test that is a command; default label unit, default time limit 120 s. PARALLEL: it keeps two processors busy.
@@ -45,8 +48,23 @@ function(_oroforge_collect_test labels)
   endforeach()
 endfunction()
 
+function(_oroforge_sources_as_one name)
+  set(own "")
+  foreach(source ${ARGN})
+    get_filename_component(source ${source} ABSOLUTE)
+    if(source MATCHES "^${PROJECT_SOURCE_DIR}/tests/(unit/.*)$")
+      list(APPEND own ${CMAKE_MATCH_1})
+    else()
+      target_sources(${name} PRIVATE ${source})
+    endif()
+  endforeach()
+  oroforge_unit(${name} ${name}_unit ${PROJECT_SOURCE_DIR}/tests ${own})
+  # What GCC says of unnamed namespaces in files that are included.
+  target_compile_options(${name} PRIVATE $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-subobject-linkage>)
+endfunction()
+
 function(oroforge_add_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "NO_MAIN;OWN_HEADERS;SERIAL;TOGETHER" "TIMEOUT;PREFIX"
+  cmake_parse_arguments(PARSE_ARGV 1 arg "NO_MAIN;AS_ONE;OWN_HEADERS;SERIAL;TOGETHER" "TIMEOUT;PREFIX;SHARED"
     "SOURCES;LABELS;LIBS;INCLUDES;DEFINITIONS;DEPENDS;ENVIRONMENT")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "oroforge_add_test(${name}): unknown arguments: ${arg_UNPARSED_ARGUMENTS}")
@@ -63,7 +81,12 @@ function(oroforge_add_test name)
   if(NOT DEFINED arg_PREFIX)
     set(arg_PREFIX "${name}.")
   endif()
-  add_executable(${name} ${arg_SOURCES})
+  if(arg_AS_ONE)
+    add_executable(${name})
+    _oroforge_sources_as_one(${name} ${arg_SOURCES})
+  else()
+    add_executable(${name} ${arg_SOURCES})
+  endif()
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests/bin)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests ${arg_INCLUDES})
   target_compile_definitions(${name} PRIVATE ${arg_DEFINITIONS})
@@ -74,7 +97,9 @@ function(oroforge_add_test name)
   endif()
   if(NOT arg_OWN_HEADERS)
     set(headers plain)
-    if("${arg_LIBS}" MATCHES "(^|;)(orocos|rtt)-")
+    if("${arg_LIBS}" MATCHES "(^|;)(rtt_|PkgConfig::ROSCPP)" AND TARGET oroforge_test_headers_ros)
+      set(headers ros)
+    elseif("${arg_LIBS}" MATCHES "(^|;)(orocos|rtt)-")
       set(headers runtime)
     endif()
     target_precompile_headers(${name} REUSE_FROM oroforge_test_headers_${headers})
@@ -88,13 +113,21 @@ function(oroforge_add_test name)
   endif()
   set_property(GLOBAL APPEND PROPERTY OROFORGE_TEST_PROGRAMS ${name})
   _oroforge_collect_test("${arg_LABELS}" ${name})
-  if(arg_TOGETHER)
-    add_test(NAME ${name} COMMAND ${name})
+  if(arg_TOGETHER OR arg_SHARED)
+    set(others "")
+    if(arg_SHARED)
+      add_test(NAME ${name} COMMAND ${name} --gtest_filter=${arg_SHARED})
+      set(others TEST_FILTER "-${arg_SHARED}")
+    else()
+      add_test(NAME ${name} COMMAND ${name})
+    endif()
     set_tests_properties(${name} PROPERTIES TIMEOUT ${arg_TIMEOUT} RUN_SERIAL ${arg_SERIAL} LABELS "${arg_LABELS}"
       ENVIRONMENT "${arg_ENVIRONMENT}")
-    return()
+    if(arg_TOGETHER)
+      return()
+    endif()
   endif()
-  gtest_discover_tests(${name} TEST_PREFIX "${arg_PREFIX}" DISCOVERY_TIMEOUT 60
+  gtest_discover_tests(${name} ${others} TEST_PREFIX "${arg_PREFIX}" DISCOVERY_TIMEOUT 60
     PROPERTIES TIMEOUT ${arg_TIMEOUT} RUN_SERIAL ${arg_SERIAL})
   # gtest_discover_tests breaks lists apart, so what is a list is set when ctest has read the cases.
   set(extra ${CMAKE_CURRENT_BINARY_DIR}/${name}_properties.cmake)

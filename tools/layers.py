@@ -29,6 +29,7 @@ LAYER_OF = {
     # TaskContext and ExecutionEngine need these two, so they are built into core; only their paths say extras.
     "runtime/rtt/extras/SequentialActivity.": "core",
     "runtime/rtt/extras/SlaveActivity.": "core",
+    "runtime/rtt/extras/slave_master.": "core",
     "runtime/cpf/": "cpf",                  # property files; built into the library of marsh
     "runtime/rtt/encoding/": "encoding",
     "runtime/rtt/marsh/": "marsh",
@@ -40,6 +41,7 @@ LAYER_OF = {
     "ros/rtt_": "ros",
     "ros/std_msgs/": "ros",
     "deployer/ocl/": "ocl",
+    "deployer/fbsched/": "ocl",             # <fbsched/fbsched.hpp>, a kept name
     "deployer/deployment/": "deployment",
     "deployer/console/": "console",
     "deployer/lua/": "lua",
@@ -152,12 +154,12 @@ FOREIGN = {
     r"mqueue\.h": ["runtime/rtt/transports/mqueue/", "deployer/rt_check/", "tests/unit/transports/", "bench/"],
     r"(lua5\.\d/)?(lua|lauxlib|lualib)\.h(pp)?": ["deployer/lua/"],
     r"log4cpp/": ["deployer/logging/", "deployer/ocl/", "deployer/bin/", "tests/unit/logging/", "bench/"],
-    r"netcdf(\.h|_)": ["deployer/reporting/", "tests/unit/components/"],
     r"(zstd|lz4(frame|hc)?)\.h": ["deployer/reporting/mcap/"],
+    r"netcdf(_\w+)?\.h$": ["deployer/reporting/netcdf_"],
     r"(histedit\.h|editline/|readline/)": ["deployer/console/"],
     r"(ros|roscpp|tf2?|actionlib|dynamic_reconfigure)/": ["ros/", "tests/unit/ros_", "bench/ros_"],
     # Of the runtime, what stays out of components and their libraries.
-    r"nlohmann/": ["runtime/report/", "runtime/rtt/encoding/", "generator/", "typekit_gen/", "tests/"],
+    r"nlohmann/": ["runtime/report/", "runtime/rtt/encoding/", "deployer/logging/", "generator/", "typekit_gen/", "tests/"],
     r"kainjow/": ["generator/render/"],
     r"CLI/": ["generator/driver/", "typekit_gen/driver/", "deployer/"],
     r"(gtest|gmock)/": ["tests/", "templates/", "examples/"],    # packages bring a test

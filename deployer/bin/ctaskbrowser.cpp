@@ -52,6 +52,7 @@ bool browse(const std::string& name) {
 
 int run(int argc, char** argv) {
     if (__os_init(argc, argv) != 0) return kFailure;
+    const RTT::Logger::In in("ctaskbrowser");
     bool succeeded = false;
     try {
         succeeded = TaskContextServer::InitOrb(argc, argv) && browse(argv[1]);

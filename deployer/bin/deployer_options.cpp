@@ -36,6 +36,9 @@ const struct {
     {"site-file", Takes::Word, "deploy from this file first; default: <name>-site.cpf, if there is one"},
     {"log-level,l", Takes::Word,
      "Never, Fatal, Critical, Error, Warning, Info, Debug or RealTime; overrides ORO_LOGLEVEL"},
+    {"log-time", Takes::Word,
+     "relative: lines of the log begin with seconds since the start; wall: with local date and time; overrides "
+     "ORO_LOGTIME"},
     {"no-consolelog", Takes::Nothing, "write the log to its file only"},
     {"check", Takes::Nothing,
      "check scripts without running them, load and configure what XML files describe, start nothing, clean up and end"},
@@ -52,6 +55,10 @@ const struct {
     {"rt-check", Takes::Nothing,
      "tell at the end what components with a real-time scheduler allocated, locked or waited for in updateHook(); then "
      "the exit status is 255"},
+    {"log4cpp-config", Takes::Word,
+     "configure log4cpp by this property file before anything is deployed: levels of categories, and appenders of "
+     "log4cpp"},
+    {"rtt-log4cpp-config-file", Takes::Word, "the same, by its former name"},
     {"daemon,d", Takes::Nothing, "run in the background, without the console"},
     {"lock-memory", Takes::Nothing,
      "keep all memory of the process in RAM (mlockall); where that is not allowed, a warning says so, and the program "
@@ -176,6 +183,17 @@ void takeWords(const std::vector<std::string>& words, const std::vector<std::str
     }
 }
 
+const std::vector<std::string> kLogTimes = {"relative", "wall"};
+
+void takeLogTime(const std::string& value, Options& options, std::string& error) {
+    const auto found = std::find(kLogTimes.begin(), kLogTimes.end(), value);
+    if (found == kLogTimes.end())
+        error = "unknown value '" + value + "' of --log-time, expected " + diag::oneOf(kLogTimes) +
+                diag::didYouMean(value, kLogTimes);
+    else
+        options.logTime = value == "wall" ? RTT::LogTime::Wall : RTT::LogTime::Relative;
+}
+
 bool takeValues(const po::variables_map& values, const std::vector<std::string>& names, Options& options,
                 std::string& error) {
     options.action = values.count("help")      ? Options::ShowHelp
@@ -198,6 +216,10 @@ bool takeValues(const po::variables_map& values, const std::vector<std::string>&
     options.dryRun = values.count("dry-run") != 0;
     options.strict = values.count("strict") != 0;
     options.lenient = values.count("lenient") != 0;
+    for (const char* name : {"rtt-log4cpp-config-file", "log4cpp-config"})
+        if (values.count(name)) options.categoryFile = values[name].as<std::string>();
+    if ((values.count("log4cpp-config") || values.count("rtt-log4cpp-config-file")) && options.categoryFile.empty())
+        error = "the name of the property file for log4cpp is empty";
     if (values.count("dot")) options.graphFile = values["dot"].as<std::string>();
     if (values.count("format")) {
         const std::string format = values["format"].as<std::string>();
@@ -231,6 +253,7 @@ bool takeValues(const po::variables_map& values, const std::vector<std::string>&
         else
             error = "no number of elements: " + std::to_string(elements);
     }
+    if (values.count("log-time")) takeLogTime(values["log-time"].as<std::string>(), options, error);
     if (!values.count("log-level")) return error.empty();
     const std::string level = values["log-level"].as<std::string>();
     options.logLevel = logLevelOf(level);
@@ -284,6 +307,12 @@ std::string usage(const std::string& program, const ProgramText& text) {
 std::string version(const std::string& program) {
     return program + " " ORO_STRINGIFY(RTT_VERSION) " (Oroforge, target " OROCOS_TARGET_NAME ", compiler " __VERSION__
                                                     ")\n";
+}
+
+std::string partName(const std::string& program) {
+    const std::string name = std::filesystem::path(program).filename().string(), target = "-" OROCOS_TARGET_NAME;
+    const std::size_t at = name.rfind(target);
+    return at != std::string::npos && at != 0 && at + target.size() == name.size() ? name.substr(0, at) : name;
 }
 
 std::string programVersion() { return ORO_STRINGIFY(RTT_VERSION); }

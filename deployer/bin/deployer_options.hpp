@@ -5,8 +5,10 @@
 #define OROFORGE_DEPLOYER_OPTIONS_HPP
 
 #include <report/report.hpp>
+#include <rtt/Logger.hpp>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,7 +21,9 @@ struct Options {
     std::string siteFile;
     std::vector<std::string> files;  // in the order of deployment
     std::vector<std::string> codes;  // to explain; empty: list all
+    std::string categoryFile;        // the property file of log4cpp; empty: none
     int logLevel = -1;               // a RTT::LoggerLevel; −1: not given
+    std::optional<RTT::LogTime> logTime;
     bool consoleLog = true;
     bool check = false;
     bool dryRun = false;
@@ -53,6 +57,8 @@ struct ProgramText {
 std::string usage(const std::string& program, const ProgramText& text);
 /** The text of --version. */
 std::string version(const std::string& program);
+/** "deployer" for "/usr/bin/deployer-gnulinux". */
+std::string partName(const std::string& program);
 /** "2.10.0" */
 std::string programVersion();
 

@@ -79,6 +79,7 @@ int runWithRuntime(const LuaCommandLine& line, const LuaProgram& program, Words&
         return kFailure;
     }
     reportCrashes();
+    const RTT::Logger::In in(program.name);
     int status = kFailure;
     try {
         status = interpret(line, program, words);

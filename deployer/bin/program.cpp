@@ -4,6 +4,7 @@
 
 #include "../console/wanted.hpp"
 #include "../deployment/lenient.hpp"
+#include "categories.hpp"
 #include "crash_report.hpp"
 #include "explain.hpp"
 #include "program_report.hpp"
@@ -145,6 +146,7 @@ int deploy(const Options& options, const Program& program, std::vector<char*>& w
     const bool deployed =
         deployFiles(deployer, *ending, options, report) && writeGraph(deployer, options.graphFile, report);
     if (options.dryRun && deployed) printSummary(deployer);
+    if (options.endsAtOnce() && deployed) std::cout << deployer.chains() << std::flush;
     scriptEnd.reset();  // scripts of the shutdown have a limit of their own
     bool succeeded = deployed;
     if (!options.endsAtOnce()) {
@@ -169,6 +171,11 @@ int runWithRuntime(std::vector<char*> words, const Options& options, const Progr
     }
     reportCrashes();
     int status = kFailure;
+    if (const std::string problem = prepareCategories(options.categoryFile, options.dryRun); !problem.empty()) {
+        report.error(options.categoryFile, problem);
+        __os_exit();
+        return kFailure;
+    }
     try {
         status = deploy(options, program, words, report);
     } catch (const std::exception& thrown) {
@@ -221,6 +228,8 @@ int run(int argc, char** argv, const Options& options, const Program& program, P
     }
     if (options.lockMemory)  // after the fork, because locks are not inherited
         if (const std::string problem = lockMemory(); !problem.empty()) report.warning(problem);
+    const RTT::Logger::In in(partName(argv[0]));
+    if (options.logTime) RTT::Logger::setLogTime(*options.logTime);  // before the first line
     if (options.logLevel >= 0) RTT::Logger::Instance()->setLogLevel(static_cast<RTT::LoggerLevel>(options.logLevel));
     if (!options.consoleLog) RTT::Logger::Instance()->mayLogStdOut(false);
     int status = runWithRuntime(wordsForRuntime(argc, argv), options, program, report);

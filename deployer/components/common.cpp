@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 // The component library `common`.
+#include <fbsched/fbsched.hpp>
+#include <ocl/Chain.hpp>
 #include <ocl/Component.hpp>
 #include <ocl/HMIConsoleOutput.hpp>
 #include <ocl/OCL.hpp>
@@ -17,6 +19,8 @@ public:
 
 ORO_CREATE_COMPONENT_LIBRARY()
 ORO_LIST_COMPONENT_TYPE(OCL::HMIConsoleOutput)
+ORO_LIST_COMPONENT_TYPE(OCL::Chain)
+ORO_LIST_COMPONENT_TYPE(FBSched)
 
 namespace {
 // Applications use this name, though no class of this library has it.

@@ -6,6 +6,8 @@
 #include "cursor_row.hpp"
 #include "line_editor.hpp"
 
+#include <rtt/os/terminal_buffer.hpp>
+
 #include <cerrno>
 #include <cstdint>
 #include <cstdio>
@@ -92,7 +94,7 @@ void Terminal::follow(const char* text, std::size_t size) {
 }
 
 /** Replaces the buffer of a stream. */
-class Shared : public std::streambuf {
+class Shared : public RTT::os::TerminalBuffer {
 public:
     explicit Shared(std::ostream& stream) : stream_(stream) {}
 

@@ -4,6 +4,7 @@
 #include <ocl/DeploymentComponent.hpp>
 
 #include "component_name.hpp"
+#include "chains.hpp"
 #include "deployment_parts.hpp"
 #include "failure.hpp"
 #include "graph.hpp"
@@ -139,6 +140,7 @@ bool DeploymentComponent::kickStart2(const string& file, bool start) { return im
 bool DeploymentComponent::kickOutAll() { return impl_->files.kickOutAll(); }
 void DeploymentComponent::kickOut(const string& file) { impl_->files.kickOut(file, impl_->components); }
 bool DeploymentComponent::planOnly(const string& file) { return impl_->files.plan(file); }
+string DeploymentComponent::chains() const { return deploy::chainsOf(impl_->session); }
 string DeploymentComponent::planSummary() const {
     return impl_->session.planned.empty() ? "" : deploy::summaryOf(impl_->session);
 }
@@ -227,6 +229,10 @@ bool DeploymentComponent::setSlaveActivity(const string& name, double period) {
 }
 bool DeploymentComponent::setMasterSlaveActivity(const string& master, const string& slave) {
     return impl_->components.setSlaveOf(master, slave);
+}
+bool DeploymentComponent::chain(const string& name, double period, int priority, int scheduler,
+                                const std::vector<string>& members) {
+    return impl_->components.chain(name, {period, priority, scheduler}, members);
 }
 bool DeploymentComponent::setWaitPeriodPolicy(const string& name, int policy) {
     return impl_->components.setWaitPeriodPolicy(name, policy);

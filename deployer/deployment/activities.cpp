@@ -155,6 +155,9 @@ bool changeActivity(Session& session, RTT::TaskContext& component, ActivityKind 
 void releaseSlaves(Session& session, const RTT::TaskContext& master) {
     for (ComponentRecord* slave : slavesOf(session, master.getName())) {
         std::string error;
+        if (slave->instance->isRunning())
+            RTT::log(RTT::Error) << "component '" << slave->name << "' is stopped: its master '" << master.getName()
+                                 << "' is being deleted" << RTT::endlog();
         (void)stopOne(*slave->instance);
         if (setActivity(*slave->instance, ActivityKind::Sequential, ActivityNumbers(), nullptr, 0, error))
             RTT::log(RTT::Info) << "component '" << slave->name << "' has lost its master '" << master.getName() << "'"

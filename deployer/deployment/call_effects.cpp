@@ -26,6 +26,7 @@ const std::map<std::string, CallEffect>& effects() {
         {"path", {Effect::Path, {}}},
         {"loadLibrary", {Effect::Library, {}}},
         {"loadComponent", {Effect::Component, {}}},
+        {"chain", {Effect::Component, {}}},
         {"addPeer", {Effect::Peers, {{0}, {1}}}},
         {"aliasPeer", {Effect::Peers, {{0}, {1}}}},
         {"connectPeers", {Effect::Peers, {{0}, {1}}}},

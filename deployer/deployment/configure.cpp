@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 #include "activities.hpp"
+#include "chains.hpp"
 #include "properties.hpp"
 #include "scripts.hpp"
 #include "session.hpp"
@@ -144,6 +145,7 @@ bool configure(Session& session, int group, diag::Sink& sink) {
 
     const std::vector<ComponentRecord*> records = recordsToConfigure(session, group);
     setActivities(session, records, sink);
+    setMembers(session, records, sink);
     for (ComponentRecord* record : records) applyProperties(session, *record, sink);
     if (!session.startsNothing) applyRemoteProperties(session, group, sink);
     if (sink.hadErrors()) return false;

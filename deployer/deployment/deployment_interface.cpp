@@ -158,6 +158,12 @@ void addActivityOperations(Self& deployer) {
           "Lets a component run in the thread of another.")
         .arg("Master", "Component that runs")
         .arg("Slave", "Component that is run");
+    offer(deployer, "chain", &Self::chain, "Makes a chain, which executes its members in their order in one thread.")
+        .arg("Name", "The chain")
+        .arg("Period", "Seconds; 0: not periodic")
+        .arg("Priority", "Priority")
+        .arg("SchedType", "ORO_SCHED_RT or ORO_SCHED_OTHER")
+        .arg("Members", "Components in their order, as strings(\"a\", \"b\")");
     offer(deployer, "setWaitPeriodPolicy", &Self::setWaitPeriodPolicy,
           "Chooses how the thread of a component waits for its period.")
         .arg("CompName", "Component")

@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include "named_components.hpp"
 
+#include "chains.hpp"
 #include "component_name.hpp"
 #include "failure.hpp"
 #include "lookup.hpp"
@@ -102,6 +103,17 @@ bool NamedComponents::setActivity(const std::string& name, ActivityKind kind, co
 bool NamedComponents::setSlaveOf(const std::string& master, const std::string& slave) {
     RTT::TaskContext* component = findComponent(session_, master, "use as master");
     return component && setActivity(slave, ActivityKind::Slave, {}, component);
+}
+
+bool NamedComponents::chain(const std::string& name, const ActivityNumbers& numbers,
+                            const std::vector<std::string>& members) {
+    std::string error;
+    bool done = false;
+    {
+        const FailureReport::Pause others;
+        done = makeChain(session_, name, numbers, members, error);
+    }
+    return done || failed("could not make chain '" + printableName(name) + "': " + error);
 }
 
 bool NamedComponents::setWaitPeriodPolicy(const std::string& name, int policy) {

@@ -6,6 +6,9 @@
 #include "activities.hpp"
 #include "session.hpp"
 
+#include <string>
+#include <vector>
+
 namespace OCL::deploy {
 
 /** The deployer's operations on one component, which is given by its name. They report why they return false. */
@@ -26,6 +29,7 @@ public:
     bool setActivity(const std::string& name, ActivityKind kind, const ActivityNumbers& numbers,
                      RTT::TaskContext* master = nullptr);
     bool setSlaveOf(const std::string& master, const std::string& slave);
+    bool chain(const std::string& name, const ActivityNumbers& numbers, const std::vector<std::string>& members);
     /** ORO_WAIT_ABS or ORO_WAIT_REL, for the thread that the component has. */
     bool setWaitPeriodPolicy(const std::string& name, int policy);
 

@@ -77,6 +77,7 @@ struct ComponentPlan {
     std::vector<PropertyFilePlan> propertyFiles;
     std::vector<PortPlan> ports;
     std::vector<Text> peers;
+    std::vector<Text> members;  // of a chain, in their order
     std::vector<ScriptPlan> scripts;
     std::optional<ActivityPlan> activity;
 };

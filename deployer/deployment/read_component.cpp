@@ -53,11 +53,12 @@ void ports(xml::Element& element, ComponentPlan& plan, diag::Sink& sink) {
     }
 }
 
-void peers(xml::Element& element, ComponentPlan& plan, diag::Sink& sink) {
+template <std::vector<Text> ComponentPlan::*member>
+void names(xml::Element& element, ComponentPlan& plan, diag::Sink& sink) {
     if (!requireStruct(element, sink)) return;
     for (const xml::Element& child : element.children)
         if (child.name != "description")
-            if (const auto peer = readWord(child, sink)) plan.peers.push_back(*peer);
+            if (const auto name = readWord(child, sink)) (plan.*member).push_back(*name);
 }
 
 void activity(xml::Element& element, ComponentPlan& plan, diag::Sink& sink) {
@@ -95,7 +96,8 @@ const Entry kEntries[] = {
     {"AutoUnload", withoutEffect},
     {"LoadProperties", propertyFile<PropertyFilePlan::Load>},
     {"Master", withoutEffect},
-    {"Peers", peers},
+    {"Members", names<&ComponentPlan::members>},
+    {"Peers", names<&ComponentPlan::peers>},
     {"Plugin", service},
     {"Ports", ports},
     {"ProgramScript", script<ScriptPlan::Program>},

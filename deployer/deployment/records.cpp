@@ -90,6 +90,7 @@ void ComponentRecords::merge(ComponentPlan& known, const ComponentPlan& more) {
     append(known.propertyFiles, more.propertyFiles);
     appendPorts(known.ports, more.ports);
     append(known.peers, more.peers);
+    append(known.members, more.members);
     appendScripts(known.scripts, more.scripts);
     if (more.activity) known.activity = more.activity;
 }

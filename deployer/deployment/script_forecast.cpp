@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include "script_forecast.hpp"
 
+#include "chains.hpp"
 #include "libraries.hpp"
 #include "lookup.hpp"
 #include "scripts.hpp"
@@ -125,7 +126,7 @@ RTT::scripting::CallProblem ScriptForecast::callOfDeployer(const std::string& op
     const bool fails = !wrong.text.empty();
     expected.begun = true;
     switch (called.effect) {
-        case Effect::Component: return component(call, expected);
+        case Effect::Component: return operation == "chain" ? chain(call, expected) : component(call, expected);
         case Effect::Description: return description(call, expected);
         case Effect::Script: return script(call, expected);
         case Effect::Service: return fails ? wrong : service(call, expected);
@@ -179,6 +180,16 @@ void ScriptForecast::path(const Call& call, Expectations& expected) {
     } catch (const std::exception&) {
         expected.anyGlobals();  // the script will report it
     }
+}
+
+/** A chain of a known name is changed; otherwise it is made. */
+RTT::scripting::CallProblem ScriptForecast::chain(const Call& call, Expectations& expected) {
+    const std::string* const name = textOf(call, 0);
+    if (name && known(*name, expected)) return {};
+    static const std::string type = kChainType;
+    Call load = call;
+    load.texts = {name, &type};
+    return component(load, expected);
 }
 
 RTT::scripting::CallProblem ScriptForecast::component(const Call& call, Expectations& expected) {

@@ -46,6 +46,7 @@ private:
     Problem callOfService(const std::vector<std::string>& path, const Call& call, Expectations& expected);
     Problem import(const Call& call, bool isLibrary, Expectations& expected);
     void path(const Call& call, Expectations& expected);
+    Problem chain(const Call& call, Expectations& expected);
     Problem component(const Call& call, Expectations& expected);
     Problem made(const std::string& name, const std::string& type, Expectations& expected);
     void peers(const std::string& operation, const Call& call, Expectations& expected) const;

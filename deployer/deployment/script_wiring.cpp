@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 // Calls of a script that connect components: their effects, and what the graph shows of them.
+#include "chains.hpp"
 #include "lookup.hpp"
 #include "script_forecast.hpp"
 
@@ -86,9 +87,10 @@ void ScriptForecast::recordFor(const std::string& operation, const Call& call, c
     const auto isComputed = [&] {
         graph.computed.push_back(operation + "() in " + call.script + ":" + std::to_string(call.line));
     };
-    if (operation == "loadComponent") {
+    if (operation == "loadComponent" || operation == "chain") {
+        static const std::string chain = kChainType;
         const std::string* const name = textOf(call, 0);
-        const std::string* const type = textOf(call, 1);
+        const std::string* const type = operation == "chain" ? &chain : textOf(call, 1);
         if (!name) return isComputed();
         graph.components.push_back({*name, type ? *type : std::string(), call.certain});
         return;

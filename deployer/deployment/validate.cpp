@@ -155,6 +155,7 @@ private:
                 sink_.error(peer.where, "DEP016",
                             "peer '" + peer.value + "' of component '" + component.name.value + "' does not exist" +
                                 diag::didYouMean(peer.value, reachable_));
+        for (const Text& member : component.members) checkMember(component, member);
         if (!component.activity || component.activity->master.empty()) return;
         const Text& master = component.activity->master;
         if (!contains(reachable_, master.value))
@@ -163,6 +164,27 @@ private:
                             diag::didYouMean(master.value, reachable_));
         else if (master.value == component.name.value)
             sink_.error(master.where, "DEP017", "component '" + component.name.value + "' is its own master");
+    }
+
+    /** The chain executes a member, so this can have no other activity, nor be in another chain. */
+    void checkMember(const ComponentPlan& chain, const Text& member) {
+        if (member.value == "*") return;
+        const std::string what = "component '" + member.value + "' is a member of chain '" + chain.name.value + "'";
+        if (!contains(reachable_, member.value))
+            sink_.error(member.where, "DEP016",
+                        "member '" + member.value + "' of chain '" + chain.name.value + "' does not exist" +
+                            diag::didYouMean(member.value, reachableBut(chain.name.value)));
+        else if (member.value == chain.name.value)
+            sink_.error(member.where, "DEP017", "chain '" + member.value + "' is its own member");
+        const auto first = chains_.emplace(member.value, &member);
+        if (!first.second && first.first->second->where != member.where)
+            sink_.error(member.where, "DEP013", what + ", and of another or for a second time; leave one out")
+                .note(first.first->second->where, "the first is here");
+        for (const ComponentPlan& component : plan_.components)
+            if (component.name.value == member.value && component.activity &&
+                component.activity->master.value != chain.name.value)
+                sink_.error(member.where, "DEP013", what + ", which executes it, but has an Activity; leave that out")
+                    .note(component.activity->where, "the Activity is here");
     }
 
     void checkFiles(const ComponentPlan& component) {
@@ -243,6 +265,9 @@ private:
     /** Collects slaves and masters; the last activity of a component is used. */
     void addMasters(const Plan& plan, bool isThisPlan) {
         for (const ComponentPlan& component : plan.components) {
+            for (const Text& member : component.members)
+                if (member.value != "*" && member.value != component.name.value)
+                    masters_[member.value] = {&component.name, isThisPlan};
             if (!component.activity) continue;
             if (component.activity->kind == ActivityKind::Slave)
                 masters_[component.name.value] = {&component.activity->master, isThisPlan};
@@ -269,8 +294,9 @@ private:
     const PlanContext& around_;
     diag::Sink& sink_;
     std::vector<std::string> reachable_;
-    std::map<std::string, Master> masters_;  // of slaves
-    std::set<diag::FileName> repeated_;      // files for which it was reported
+    std::map<std::string, Master> masters_;      // of slaves
+    std::map<std::string, const Text*> chains_;  // of members, where the first chain names them
+    std::set<diag::FileName> repeated_;          // files for which it was reported
 };
 
 }  // namespace

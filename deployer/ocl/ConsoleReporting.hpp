@@ -9,7 +9,8 @@
 
 namespace OCL {
 
-/** Reports to a stream, usually the console. Between start() and stop(), a separate thread writes to the stream. */
+/** Reports to a stream, usually the console. Between start() and stop(), a separate thread writes to the stream.
+    The property Format is as that of FileReporting. */
 class OCL_API ConsoleReporting : public ReportingComponent {
 public:
     explicit ConsoleReporting(std::string name = "ConsoleReporting", std::ostream& console = std::cerr);
@@ -18,10 +19,12 @@ public:
     bool screenComponent(const std::string& component) override;
 
 protected:
+    bool configureHook() override;
     bool startHook() override;
 
 private:
     std::ostream& console_;
+    std::string format_ = "columns";
 };
 
 }  // namespace OCL

@@ -108,6 +108,9 @@ public:
      * operations, and writes the diagnostics to standard error.
      */
     bool checkScript(const std::string& file);
+    /** Order, threads and data delays of all chains, a few lines for each; those of files given to planOnly() as far as
+        files and libraries tell. */
+    std::string chains() const;
     /** True if there is a site file and it has errors. */
     bool siteFileFailed() const;
     /** The components, connections and peers as a graph for Graphviz. */
@@ -162,6 +165,12 @@ public:
     bool setSequentialActivity(const std::string& name);
     bool setSlaveActivity(const std::string& name, double period);
     bool setMasterSlaveActivity(const std::string& master, const std::string& slave);
+    /**
+     * Makes a chain (OCL::Chain) with a thread, and its members slaves of it, in that order. "*" stands for all other
+     * slaves. If a component of that name is there already, which must be a chain, it gets the thread and the members.
+     */
+    bool chain(const std::string& name, double period, int priority, int scheduler,
+               const std::vector<std::string>& members);
     /** Sets how the component's thread waits for its period: ORO_WAIT_ABS or ORO_WAIT_REL. */
     bool setWaitPeriodPolicy(const std::string& name, int policy);
 

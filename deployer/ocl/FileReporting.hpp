@@ -7,7 +7,10 @@
 
 namespace OCL {
 
-/** Reports to the file that the property ReportFile names; start() begins it anew and stop() completes it. */
+/**
+ * Reports to the file that the property ReportFile names; start() begins it anew and stop() completes it. The property
+ * Format is "columns", with blanks between fields, or "csv"; configure() and start() fail for any other.
+ */
 class OCL_API FileReporting : public ReportingComponent {
 public:
     explicit FileReporting(const std::string& name = "FileReporting");
@@ -17,10 +20,12 @@ public:
     bool screenComponent(const std::string& component) override;
 
 protected:
+    bool configureHook() override;
     bool startHook() override;
 
 private:
     std::string reportFile_ = "reports.dat";
+    std::string format_ = "columns";
 };
 
 }  // namespace OCL

@@ -25,8 +25,6 @@ public:
     explicit McapReporting(const std::string& name = "McapReporting");
     ~McapReporting() override;
 
-    /** Writes the interface of a peer to the file `<component>.screen`. */
-    bool screenComponent(const std::string& component) override;
     /** With the property Ring: writes the last seconds to a file, and waits for that. False, with an error in the log,
         if it fails, there is no Ring, or the component does not run. Any thread may call it; not real-time. */
     bool save();

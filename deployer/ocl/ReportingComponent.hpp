@@ -18,8 +18,8 @@ namespace OCL {
 
 namespace reporting {
 class Report;
+class RowSink;
 class Source;
-class TextTarget;
 struct ReportOptions;
 }  // namespace reporting
 
@@ -71,8 +71,8 @@ protected:
 
     /** Writes the properties, attributes and ports of a peer. */
     bool screenImpl(const std::string& component, std::ostream& output);
-    /** Sets where rows go as text, from the next start() to the stop() after it. */
-    void writeTo(std::unique_ptr<reporting::TextTarget> target);
+    /** Sets where rows go, from the next start() to the stop() after it. */
+    void writeTo(std::unique_ptr<reporting::RowSink> sink);
     typedef std::function<std::unique_ptr<reporting::Report>(const std::vector<std::shared_ptr<reporting::Source>>&,
                                                              const reporting::ReportOptions&)>
         ReportMaker;

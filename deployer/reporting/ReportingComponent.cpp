@@ -27,7 +27,7 @@ constexpr int kRowsPerCycle = 10000;
 ReportingComponent::ReportingComponent(std::string name) : RTT::TaskContext(name), impl_(new Impl(*this)) {
     addProperty("WriteHeader", impl_->writeHeader).doc("Begin the report with a line of column names.");
     addProperty("RepeatHeader", impl_->repeatHeader)
-        .doc("Write that line again when a sequence has changed its size, and so the columns.");
+        .doc("Write that line again when there are more columns, because a sequence has grown.");
     addProperty("Decompose", impl_->decompose).doc("Give each member and element of a value a column of its own.");
     addProperty("ComplexDecompose", impl_->complexDecompose)
         .doc("Take values apart as in property files. Decompose must be set, too. Allocates memory.");
@@ -93,7 +93,7 @@ bool ReportingComponent::removeMarshallers() {
     return true;
 }
 
-void ReportingComponent::writeTo(std::unique_ptr<reporting::TextTarget> target) { impl_->target = std::move(target); }
+void ReportingComponent::writeTo(std::unique_ptr<reporting::RowSink> sink) { impl_->sink = std::move(sink); }
 void ReportingComponent::reportBy(ReportMaker maker) { impl_->maker = std::move(maker); }
 
 void ReportingComponent::withReport(const std::function<void(Report*)>& use) {
@@ -102,8 +102,9 @@ void ReportingComponent::withReport(const std::function<void(Report*)>& use) {
 }
 
 std::unique_ptr<Report> ReportingComponent::Impl::makeReport(const reporting::Sources& present) {
-    if (maker) return maker(present, options());
-    return std::unique_ptr<Report>(new RunningReport(present, options(), std::move(target), marshallers));
+    const reporting::ReportOptions all = options();  // asks the sink, so before it is moved
+    if (maker) return maker(present, all);
+    return std::unique_ptr<Report>(new RunningReport(present, all, std::move(sink), marshallers));
 }
 
 bool ReportingComponent::configureHook() {
@@ -115,15 +116,17 @@ bool ReportingComponent::Impl::isPeriodic() const { return self.getActivity() &&
 
 reporting::ReportOptions ReportingComponent::Impl::options() const {
     reporting::ReportOptions result;
-    result.component = self.getName();
-    result.decomposition = !decompose         ? Decomposition::None
-                           : complexDecompose ? Decomposition::Types
-                                              : Decomposition::Members;
-    result.header = writeHeader;
-    result.repeatHeader = repeatHeader;
-    result.onlyNewData = onlyNewData;
+    const bool apart = decompose || (sink && sink->hasStructure());
+    result.decomposition = !apart                          ? Decomposition::None
+                           : complexDecompose && decompose ? Decomposition::Types
+                                                           : Decomposition::Members;
+    result.rows.component = self.getName();
+    result.rows.header = writeHeader;
+    result.rows.repeatHeader = repeatHeader;
+    result.rows.onlyNewData = onlyNewData;
+    result.rows.decompose = decompose;
     result.onFailure = [this] { (void)self.trigger(); };  // updateHook() checks for the failure
-    result.digits = std::max(1, std::min(precision, std::numeric_limits<double>::max_digits10));
+    result.rows.digits = std::max(1, std::min(precision, std::numeric_limits<double>::max_digits10));
     result.begin =
         synchronize ? RTT::Logger::Instance()->getReferenceTime() : RTT::os::TimeService::Instance()->getTicks();
     return result;
@@ -132,7 +135,7 @@ reporting::ReportOptions ReportingComponent::Impl::options() const {
 bool ReportingComponent::startHook() {
     const std::lock_guard<std::mutex> changes(impl_->changes);
     const std::lock_guard<std::mutex> rows(impl_->rows);
-    if (!impl_->maker && !impl_->target && impl_->marshallers.empty()) {
+    if (!impl_->maker && !impl_->sink && impl_->marshallers.empty()) {
         log(RTT::Error) << "'" << getName() << "' needs at least one marshaller to write reports" << endlog();
         return false;
     }

@@ -51,20 +51,42 @@ std::size_t sizeOf(const void* vector) {
     return static_cast<const std::vector<T>*>(vector)->size();
 }
 
+template <class T>
+constexpr Number numberKind() {
+    if constexpr (std::is_same_v<T, bool>)
+        return Number::Bool;
+    else if constexpr (std::is_same_v<T, char>)
+        return Number::Char;
+    else if constexpr (std::is_same_v<T, float>)
+        return Number::Float;
+    else if constexpr (std::is_floating_point_v<T>)
+        return Number::Real;
+    else if constexpr (sizeof(T) == 1)
+        return std::is_signed_v<T> ? Number::Int8 : Number::UInt8;
+    else if constexpr (sizeof(T) == 2)
+        return std::is_signed_v<T> ? Number::Int16 : Number::UInt16;
+    else if constexpr (sizeof(T) == 4)
+        return std::is_signed_v<T> ? Number::Int32 : Number::UInt32;
+    else
+        return std::is_signed_v<T> ? Number::Int64 : Number::UInt64;
+}
+
 struct Kind {
     const std::type_info& type;
     Encode encode;
+    Number number;
     const std::type_info* vectorType;
     NumberVector vector;
 };
 
 template <class T>
 Kind number() {
-    return {typeid(T), &encodeNumber<T>, &typeid(std::vector<T>), {&encodeElements<T>, &sizeOf<T>}};
+    constexpr Number kind = numberKind<T>();
+    return {typeid(T), &encodeNumber<T>, kind, &typeid(std::vector<T>), {&encodeElements<T>, &sizeOf<T>, kind}};
 }
 template <class S>
 Kind text() {
-    return {typeid(S), &encodeText<S>, nullptr, {}};
+    return {typeid(S), &encodeText<S>, Number::Text, nullptr, {}};
 }
 
 const Kind kKinds[] = {
@@ -87,6 +109,12 @@ Encode encodeOf(const std::type_info& type) {
     for (const Kind& kind : kKinds)
         if (same(kind.type, type)) return kind.encode;
     return nullptr;
+}
+
+Number numberOf(const std::type_info& type) {
+    for (const Kind& kind : kKinds)
+        if (same(kind.type, type)) return kind.number;
+    return Number::Text;
 }
 
 const NumberVector* numberVectorOf(const std::type_info& type) {

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 
 namespace OCL::reporting {
@@ -36,6 +37,8 @@ class OtherValues {
 public:
     /** Null if values of this type cannot be copied byte by byte. */
     const OtherValue* of(const RTT::types::TypeInfo& type);
+    /** The types of elements that are being taken apart: a type may have a sequence of itself. */
+    std::set<const RTT::types::TypeInfo*> open;
 
 private:
     std::map<const RTT::types::TypeInfo*, std::unique_ptr<OtherValue>> known_;

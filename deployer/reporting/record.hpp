@@ -2,7 +2,7 @@
 // Copyright Oroforge contributors
 /**
  * A row of a report on its way from the component to the thread that writes it: values as in memory, each after a tag
- * with its type. It can be turned into text without other knowledge, so columns may change at any time.
+ * with its type. The Fields of the report tell what belongs to which column; sequences have their size in the record.
  */
 #ifndef ORO_OCL_REPORTING_RECORD_HPP
 #define ORO_OCL_REPORTING_RECORD_HPP
@@ -18,6 +18,8 @@ namespace OCL::reporting {
 /** The type of what follows in a record. */
 enum class Tag : unsigned char {
     Bag,       ///< nothing; the next values are members
+    Sequence,  ///< std::uint32_t: that many elements follow
+    Absent,    ///< nothing; a value or group of the report is left out of this row
     Bool,      ///< bool
     Char,      ///< char, printed as a character
     Signed,    ///< std::int64_t
@@ -26,7 +28,7 @@ enum class Tag : unsigned char {
     Real,      ///< double
     Text,      ///< std::uint32_t and as many characters
     Other,     ///< const OtherValue* and the bytes of the value
-    Line,      ///< as Text, but a whole line instead of a row
+    Fields,    ///< only as the first: const Field*, which the reader then owns, and a row to see its columns
 };
 
 /** Encodes records, in one thread. Allocates only if a record is longer than all before. */
@@ -89,6 +91,7 @@ public:
     RecordReader(const char* data, std::size_t size) : at_(data), end_(data + size) {}
 
     bool more() const { return at_ != end_; }
+    Tag next() const { return static_cast<Tag>(static_cast<unsigned char>(*at_)); }
     Tag tag() { return static_cast<Tag>(static_cast<unsigned char>(*at_++)); }
     template <class T>
     T value() {

@@ -19,14 +19,24 @@ void RecordQueue::makeRoom(std::size_t room) {
     filling_ = next;
 }
 
-bool RecordQueue::pop(std::vector<char>& record) {
+/** `take` takes a record from a ring; false if there is none. */
+template <class Take>
+bool RecordQueue::takeOldest(Take take) {
     for (;;) {
         // Must be read first: only if there is a next ring does an empty one stay empty.
         Part* const next = emptying_->next.load(std::memory_order_acquire);
-        if (emptying_->ring.pop(record)) return true;
+        if (take(emptying_->ring)) return true;
         if (!next) return false;
         delete std::exchange(emptying_, next);
     }
+}
+
+bool RecordQueue::pop(std::vector<char>& record) {
+    return takeOldest([&record](RecordRing& ring) { return ring.pop(record); });
+}
+
+bool RecordQueue::drop(char* begin, std::size_t size) {
+    return takeOldest([begin, size](RecordRing& ring) { return ring.drop(begin, size); });
 }
 
 bool RecordQueue::empty() const { return !emptying_->next.load(std::memory_order_acquire) && emptying_->ring.empty(); }

@@ -35,6 +35,9 @@ public:
     // Called only by the thread that empties.
     /** Moves the oldest record into `record`; false if there is none. */
     bool pop(std::vector<char>& record);
+    /** Drops the oldest record, whose first bytes it copies, at most `size`; false if there is none. Allocates
+        nothing. */
+    bool drop(char* begin, std::size_t size);
     bool empty() const;
 
 private:
@@ -43,6 +46,9 @@ private:
         RecordRing ring;
         std::atomic<Part*> next{nullptr};
     };
+    template <class Take>
+    bool takeOldest(Take take);
+
     Part* filling_;   // the last one
     Part* emptying_;  // the first one, which owns those after it
 };

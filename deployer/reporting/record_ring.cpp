@@ -48,6 +48,16 @@ bool RecordRing::pop(std::vector<char>& record) {
     return true;
 }
 
+bool RecordRing::drop(char* begin, std::size_t size) {
+    const std::uint64_t at = emptied_.load(std::memory_order_relaxed);  // only this thread changes it
+    if (empty()) return false;
+    Length length = 0;
+    take(at, &length, sizeof length);
+    take(at + sizeof length, begin, std::min<std::size_t>(size, length));
+    emptied_.store(at + sizeof length + length, std::memory_order_release);
+    return true;
+}
+
 bool RecordRing::empty() const {
     return filled_.load(std::memory_order_acquire) == emptied_.load(std::memory_order_relaxed);
 }

@@ -22,6 +22,9 @@ public:
     bool push(const char* record, std::size_t size);
     /** Moves the oldest record into `record`; false if there is none. Called only by the thread that empties. */
     bool pop(std::vector<char>& record);
+    /** Drops the oldest record, whose first bytes it copies, at most `size`; false if there is none. Called only by the
+        thread that empties. Allocates nothing. */
+    bool drop(char* begin, std::size_t size);
     /** Called only by the thread that empties. */
     bool empty() const;
 

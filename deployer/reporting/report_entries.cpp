@@ -46,6 +46,14 @@ DataSourceBase::shared_ptr placeFor(const RTT::types::TypeInfo* type, const std:
     return nullptr;
 }
 
+std::shared_ptr<Source> sourceOf(TaskContext& peer, const std::string& component, const std::string& path,
+                                 const DataSourceBase::shared_ptr& value, const DataSourceBase::shared_ptr& sample) {
+    auto source = std::make_shared<Source>(component, path, value, sample);
+    if (const RTT::base::PropertyBase* const property = peer.provides()->getProperty(path))
+        source->describe(property->getDescription());
+    return source;
+}
+
 TaskContext* peerOf(TaskContext& self, const std::string& component) {
     TaskContext* const peer = self.getPeer(component);
     if (!peer) {
@@ -184,7 +192,9 @@ bool ReportingComponent::Impl::connect(const std::string& component, const std::
         return false;
     }
     input->doc("Reports " + name + ".");
-    put(std::make_shared<Source>(component, path, std::move(input), sample));
+    const auto source = std::make_shared<Source>(component, path, std::move(input), sample);
+    source->describe(output.getDescription());
+    put(source);
     return true;
 }
 
@@ -200,7 +210,7 @@ bool ReportingComponent::Impl::addData(const std::string& component, const std::
     }
     const DataSourceBase::shared_ptr sample = placeFor(value->getTypeInfo(), name);
     if (!sample) return false;
-    put(std::make_shared<Source>(component, data, value, sample));
+    put(sourceOf(*peer, component, data, value, sample));
     return true;
 }
 
@@ -216,7 +226,7 @@ bool ReportingComponent::Impl::renew(const Source& source) {
     const DataSourceBase::shared_ptr value = peer ? valueOf(*peer, source.path()) : nullptr;
     const DataSourceBase::shared_ptr sample = value ? placeFor(value->getTypeInfo(), source.name()) : nullptr;
     if (sample) {
-        put(std::make_shared<Source>(source.component(), source.path(), value, sample));
+        put(sourceOf(*peer, source.component(), source.path(), value, sample));
         return true;
     }
     log(RTT::Error) << "'" << self.getName() << "' leaves out '" << source.name()

@@ -16,11 +16,6 @@
 namespace OCL::reporting {
 namespace {
 
-bool isRegular(int file) {
-    struct stat status {};
-    return ::fstat(file, &status) == 0 && S_ISREG(status.st_mode);
-}
-
 // Two seconds.
 constexpr int kTries = 40;
 constexpr std::chrono::milliseconds kPause{50};
@@ -31,6 +26,19 @@ bool isPipe(const std::string& name) {
 }
 
 }  // namespace
+
+std::string systemError() { return std::generic_category().message(errno); }
+
+bool isRegular(int file) {
+    struct stat status {};
+    return ::fstat(file, &status) == 0 && S_ISREG(status.st_mode);
+}
+
+std::string claim(int file) {
+    // Two reports in a file would destroy each other's rows. File systems without locks do not show that.
+    if (::flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) return "another reporter is writing to it";
+    return ::ftruncate(file, 0) == 0 ? std::string() : systemError();
+}
 
 int openReport(const std::string& name, std::string& error) {
     // Without O_NONBLOCK, opening a pipe would block start() until somebody reads from it.
@@ -47,11 +55,7 @@ int openReport(const std::string& name, std::string& error) {
     }
     (void)::fcntl(file, F_SETFL, O_APPEND);  // writes wait for the reader
     if (!isRegular(file)) return file;
-    // Two reports in a file would destroy each other's rows. File systems without locks do not show that.
-    if (::flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
-        error = "another reporter is writing to it";
-    else if (::ftruncate(file, 0) != 0)
-        error = std::generic_category().message(errno);
+    error = claim(file);
     if (error.empty()) return file;
     ::close(file);
     return -1;

@@ -63,7 +63,7 @@ struct ReportingComponent::Impl {
 
     // Properties
     bool writeHeader = true;
-    bool repeatHeader = false;
+    bool repeatHeader = true;
     bool decompose = true;
     bool complexDecompose = false;
     bool snapshotOnly = false;
@@ -77,8 +77,8 @@ struct ReportingComponent::Impl {
     std::mutex changes;  // guards the sources, which operations in any thread may change
     reporting::Sources sources;
     std::vector<reporting::Marshallers> marshallers;
-    std::unique_ptr<reporting::TextTarget> target;  // for the next report
-    ReportMaker maker;                              // instead of the target
+    std::unique_ptr<reporting::RowSink> sink;  // for the next report
+    ReportMaker maker;                         // instead of the sink
 
     std::mutex rows;  // held by snapshot() and while the report begins or ends
     std::unique_ptr<reporting::Report> report;

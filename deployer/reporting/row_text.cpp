@@ -3,11 +3,10 @@
 #include "row_text.hpp"
 
 #include "other_value.hpp"
-#include "record.hpp"
 
 #include <charconv>
+#include <cmath>
 #include <string>
-#include <string_view>
 
 namespace OCL::reporting {
 namespace {
@@ -16,20 +15,31 @@ typedef std::vector<char> Text;
 
 void append(Text& text, std::string_view more) { text.insert(text.end(), more.begin(), more.end()); }
 
-void appendOneLine(Text& text, std::string_view value) {
-    for (std::size_t end; (end = value.find('\n')) != value.npos; value.remove_prefix(end + 1)) {
-        append(text, value.substr(0, end));
-        append(text, "\\n");
+void appendEscaped(Text& text, char letter) {
+    constexpr char kDigits[] = "0123456789abcdef";
+    const auto code = static_cast<unsigned char>(letter);
+    switch (letter) {
+        case '\n': return append(text, "\\n");
+        case '\t': return append(text, "\\t");
+        case '\\': return append(text, "\\\\");
+        default: break;
     }
-    append(text, value);
+    if (code > 0x20 && letter != '\x7f' && letter != '"' && letter != '#') return text.push_back(letter);
+    append(text, "\\x");
+    text.push_back(kDigits[code >> 4U]);
+    text.push_back(kDigits[code & 15U]);
 }
 
-/** Writes "" in quotes for an empty text, because otherwise later values would move to other columns. */
-void appendText(Text& text, std::string_view value) {
-    if (value.empty())
-        append(text, "\"\"");
-    else
-        appendOneLine(text, value);
+void appendQuoted(Text& text, std::string_view value) {
+    const bool plain =
+        !value.empty() && value.front() != ' ' && value.back() != ' ' && value.find_first_of("\",\r\n") == value.npos;
+    if (plain) return append(text, value);
+    text.push_back('"');
+    for (const char letter : value) {
+        if (letter == '"') text.push_back('"');
+        text.push_back(letter);
+    }
+    text.push_back('"');
 }
 
 /** Enough for any number: its digits, a sign, a point and an exponent. */
@@ -42,39 +52,42 @@ void appendNumber(Text& text, T value, Format... format) {
     text.insert(text.end(), digits, result.ptr);
 }
 
-void appendReal(Text& text, double value, int digits) { appendNumber(text, value, std::chars_format::general, digits); }
-
-void appendValue(Text& text, Tag tag, RecordReader& record, int digits) {
-    switch (tag) {
-        case Tag::Bag: return;
-        case Tag::Bool: return text.push_back(record.value<bool>() ? '1' : '0');
-        case Tag::Char: return appendOneLine(text, std::string_view(record.bytes(1), 1));
-        case Tag::Signed: return appendNumber(text, record.value<std::int64_t>());
-        case Tag::Unsigned: return appendNumber(text, record.value<std::uint64_t>());
-        case Tag::Float: return appendReal(text, static_cast<double>(record.value<float>()), digits);
-        case Tag::Real: return appendReal(text, record.value<double>(), digits);
-        case Tag::Text: return appendText(text, record.text());
-        case Tag::Other: {
-            const OtherValue* const other = record.value<const OtherValue*>();
-            return appendText(text, other->text(record.bytes(other->size())));
-        }
-        case Tag::Line: return append(text, record.text());
-    }
+template <class T>
+void appendReal(Text& text, T value, TextFormat format, int digits) {
+    if (format == TextFormat::Columns)
+        appendNumber(text, static_cast<double>(value), std::chars_format::general, digits);
+    else if (std::isnan(value))
+        append(text, "nan");  // its sign means nothing, and not every reader knows "-nan"
+    else
+        appendNumber(text, value);
 }
 
 }  // namespace
 
-void appendRow(Text& text, const char* record, std::size_t size, int digits) {
-    RecordReader reader(record, size);
-    bool row = true;
-    while (reader.more()) {
-        const Tag tag = reader.tag();
-        row = tag != Tag::Line;
-        if (row) text.push_back(' ');
-        appendValue(text, tag, reader, digits);
+void appendField(Text& text, std::string_view value, TextFormat format) {
+    if (format == TextFormat::Csv) return appendQuoted(text, value);
+    if (value.empty()) return append(text, "\"\"");
+    for (const char letter : value) appendEscaped(text, letter);
+}
+
+void appendValue(Text& text, Tag tag, RecordReader& record, TextFormat format, int digits) {
+    switch (tag) {
+        case Tag::Bool: return text.push_back(record.value<bool>() ? '1' : '0');
+        case Tag::Char: return appendField(text, std::string_view(record.bytes(1), 1), format);
+        case Tag::Signed: return appendNumber(text, record.value<std::int64_t>());
+        case Tag::Unsigned: return appendNumber(text, record.value<std::uint64_t>());
+        case Tag::Float: return appendReal(text, record.value<float>(), format, digits);
+        case Tag::Real: return appendReal(text, record.value<double>(), format, digits);
+        case Tag::Text: return appendField(text, record.text(), format);
+        case Tag::Other: {
+            const OtherValue* const other = record.value<const OtherValue*>();
+            return appendField(text, other->text(record.bytes(other->size())), format);
+        }
+        case Tag::Bag:
+        case Tag::Sequence:
+        case Tag::Absent:
+        case Tag::Fields: return;  // no values
     }
-    if (row) text.push_back(' ');
-    text.push_back('\n');
 }
 
 }  // namespace OCL::reporting

@@ -6,6 +6,8 @@
 #include <rtt/Property.hpp>
 
 #include <algorithm>
+#include <set>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -33,7 +35,7 @@ std::size_t roomFor(std::size_t row) {
 
 }  // namespace
 
-RunningReport::RunningReport(const Sources& sources, const ReportOptions& options, std::unique_ptr<TextTarget> target,
+RunningReport::RunningReport(const Sources& sources, const ReportOptions& options, std::unique_ptr<RowSink> sink,
                              const std::vector<Marshallers>& marshallers)
     : options_(options), marshallers_(marshallers) {
     entries_.reserve(sources.size());
@@ -41,13 +43,16 @@ RunningReport::RunningReport(const Sources& sources, const ReportOptions& option
         source->prepare();  // the columns depend on the size of sequences
         entries_.emplace_back(source, ValueTree(source->name(), source->sample(), options.decomposition, others_));
     }
-    if (target) {
+    warnOfTypesWithoutText();
+    if (sink) {
+        sink->prepare(options.rows);
         encodeRow(0.0);
         record_.expect(2 * record_.size());
-        writer_.reset(new RowWriter(options.component + ".Writer", std::move(target), roomFor(record_.size()),
-                                    options.digits, options.onFailure));
+        const std::string name = options.rows.component + ".Writer";
+        writer_.reset(new RowWriter(name, std::move(sink), roomFor(record_.size()), options.onFailure));
+        pushFields();
     }
-    if (options.header) writeHeader();
+    if (options.rows.header) writeHeader();
 }
 
 bool RunningReport::read() {
@@ -61,8 +66,7 @@ bool RunningReport::read() {
 }
 
 void RunningReport::chooseEntries() {
-    otherColumns_ = false;
-    if (!options_.onlyNewData) return;
+    if (!options_.rows.onlyNewData) return;
     for (Entry& entry : entries_) {
         entry.wanted = hasChanged(entry);
         entry.changed = false;
@@ -74,7 +78,7 @@ void RunningReport::chooseEntries() {
 bool RunningReport::hasChanged(Entry& entry) {
     if (entry.source->port()) return entry.changed;
     part_.clear();
-    otherColumns_ |= entry.tree.encode(part_);
+    otherFields_ |= entry.tree.encode(part_);
     if (!entry.changed && std::string_view(part_.data(), part_.size()) == entry.last) return false;
     entry.last.assign(part_.data(), part_.size());
     return true;
@@ -84,7 +88,10 @@ void RunningReport::encodeRow(double time) {
     record_.clear();
     record_.value(Tag::Real, time);
     for (Entry& entry : entries_)
-        if (entry.wanted) otherColumns_ |= entry.tree.encode(record_);
+        if (entry.wanted)
+            otherFields_ |= entry.tree.encode(record_);
+        else
+            record_.tag(Tag::Absent);
 }
 
 void RunningReport::writeRow() {
@@ -97,33 +104,48 @@ void RunningReport::writeRow() {
     }
     if (!writer_) return;
     encodeRow(time);
-    if (otherColumns_) columnsChanged();
+    if (otherFields_) pushFields();
     push(record_);
 }
 
-void RunningReport::columnsChanged() {
-    if (!std::exchange(everChanged_, true))
-        RTT::log(RTT::Warning) << "the columns of the report of '" << options_.component
-                               << "' have changed, because a sequence has another size now"
-                               << (options_.repeatHeader || !options_.header
-                                       ? ""
-                                       : "; the header fits the rows before (see property RepeatHeader)")
+Field RunningReport::fields() const {
+    Field report;
+    report.kind = Field::Kind::Group;
+    Field time;
+    time.name = kTimeStamp;
+    time.type.number = Number::Real;
+    time.unit = "s";
+    time.description = "The time at which the row was written.";
+    report.parts.push_back(std::move(time));
+    for (const Entry& entry : entries_) {
+        report.parts.push_back(entry.tree.field());
+        describe(report.parts.back(), entry.source->description());
+    }
+    return report;
+}
+
+void RunningReport::warnOfTypesWithoutText() const {
+    std::set<std::string> types;
+    for (const Entry& entry : entries_) entry.tree.addTypesWithoutText(types);
+    std::string names;
+    for (const std::string& type : types) names += (names.empty() ? "'" : ", '") + type + '\'';
+    if (!names.empty())
+        RTT::log(RTT::Warning) << "the report of '" << options_.rows.component << "' has no values of type " << names
+                               << ", only its name: a typekit that typegen makes has the members of such types"
                                << RTT::endlog();
-    if (options_.header && options_.repeatHeader) writeHeader();
+}
+
+/** If there is no room, the rows that follow are lost until there is some. */
+void RunningReport::pushFields() {
+    makeRoom();
+    otherFields_ = !writer_->pushFields(fields(), record_);
 }
 
 void RunningReport::writeHeader() {
-    if (!marshallers_.empty()) {
-        RTT::PropertyBag bag("Report");
-        fill(bag, 0.0);
-        for (const Marshallers& marshaller : marshallers_) write(marshaller.header.get(), bag);
-    }
-    if (!writer_) return;
-    std::string line = std::string(" ") + kTimeStamp;
-    for (const Entry& entry : entries_) entry.tree.appendNames(line);
-    Record header;
-    header.text(Tag::Line, line);
-    push(header);
+    if (marshallers_.empty()) return;
+    RTT::PropertyBag bag("Report");
+    fill(bag, 0.0);
+    for (const Marshallers& marshaller : marshallers_) write(marshaller.header.get(), bag);
 }
 
 void RunningReport::fill(RTT::PropertyBag& bag, double time) {
@@ -133,12 +155,19 @@ void RunningReport::fill(RTT::PropertyBag& bag, double time) {
 }
 
 void RunningReport::push(const Record& record) {
-    // Not at each growth of a row: until it has twice its size, half of the room is enough.
-    const std::size_t room = roomFor(record.size());
+    if (otherFields_)
+        writer_->lose();
+    else
+        makeRoom();
+    if ((!otherFields_ && writer_->push(record)) || std::exchange(everLost_, true)) return;
+    RTT::log(RTT::Error) << "a row of the report of '" << options_.rows.component
+                         << "' is lost: its target does not take them as fast as they come" << RTT::endlog();
+}
+
+/** Not at each growth of a row: until it has twice its size, half of the room is enough. */
+void RunningReport::makeRoom() {
+    const std::size_t room = roomFor(record_.size());
     if (writer_->room() < room / 2) writer_->makeRoom(room);
-    if (writer_->push(record) || std::exchange(everLost_, true)) return;
-    RTT::log(RTT::Error) << "a row of the report of '" << options_.component
-                         << "' is lost: its file or console does not take them as fast as they come" << RTT::endlog();
 }
 
 void RunningReport::clearPorts() {
@@ -157,7 +186,7 @@ void RunningReport::finish() {
     if (!writer_) return;
     writer_->finish();
     if (writer_->lost() != 0)
-        RTT::log(RTT::Error) << writer_->lost() << " rows of the report of '" << options_.component << "' are lost"
+        RTT::log(RTT::Error) << writer_->lost() << " rows of the report of '" << options_.rows.component << "' are lost"
                              << RTT::endlog();
 }
 

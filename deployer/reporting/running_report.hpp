@@ -28,21 +28,17 @@ struct Marshallers {
 };
 
 struct ReportOptions {
-    std::string component;
+    RowOptions rows;
     Decomposition decomposition = Decomposition::Members;
-    bool header = true;         ///< write a header before the first row
-    bool repeatHeader = false;  ///< also write one whenever the columns change
-    bool onlyNewData = false;   ///< leave out values that have not changed since the last row
-    int digits = 6;
     RTT::os::TimeService::ticks begin = 0;  ///< zero of the time stamps
-    std::function<void()> onFailure;        ///< called once, by another thread, when the target has failed
+    std::function<void()> onFailure;        ///< called once, by another thread, when the sink has failed
 };
 
 /** A table, or what marshallers make, of fixed sources. */
 class RunningReport final : public Report {
 public:
-    /** Reads all sources and takes their values apart. `target` may be null; `marshallers` must outlive this. */
-    RunningReport(const Sources& sources, const ReportOptions& options, std::unique_ptr<TextTarget> target,
+    /** Reads all sources and takes their values apart. `sink` may be null; `marshallers` must outlive this. */
+    RunningReport(const Sources& sources, const ReportOptions& options, std::unique_ptr<RowSink> sink,
                   const std::vector<Marshallers>& marshallers);
 
     /** Real-time safe if copying the values is. */
@@ -69,17 +65,19 @@ private:
     bool hasChanged(Entry& entry);
     void encodeRow(double time);
     void writeHeader();
-    void columnsChanged();
+    Field fields() const;
+    void pushFields();
     void fill(RTT::PropertyBag& bag, double time);
     void push(const Record& record);
+    void makeRoom();
+    void warnOfTypesWithoutText() const;
 
     const ReportOptions options_;
     const std::vector<Marshallers>& marshallers_;
     OtherValues others_;
     std::vector<Entry> entries_;
     Record record_, part_;
-    bool otherColumns_ = false;  // the columns differ from the previous row
-    bool everChanged_ = false;
+    bool otherFields_ = true;  // the writer does not know the present fields
     bool everLost_ = false;
     std::unique_ptr<RowWriter> writer_;  // last: its thread uses others_
 };

@@ -34,6 +34,10 @@ public:
     const Value& original() const { return original_; }
     const Value& sample() const { return sample_; }
 
+    /** The description of the port or property. */
+    const std::string& description() const { return description_; }
+    void describe(const std::string& text) { description_ = text; }
+
     /** Must be called before read(). If a port has no sample yet, its value gets the size that the writer set by
         setDataSample(). */
     void prepare();
@@ -45,6 +49,7 @@ public:
 
 private:
     const std::string component_, path_, name_;
+    std::string description_;
     const std::unique_ptr<RTT::base::InputPortInterface> port_;
     const std::unique_ptr<RTT::internal::PortLink> link_;  // reads without looking the type up each time
     const Value original_;

@@ -8,13 +8,21 @@
 #include <ostream>
 #include <string_view>
 #include <sys/stat.h>
-#include <system_error>
 #include <unistd.h>
 
 namespace OCL::reporting {
 namespace {
 
-std::string systemError() { return std::generic_category().message(errno); }
+/** The number of characters that belong to whole rows. A line end inside quotation marks does not end a row. */
+std::size_t lastRowEnd(std::string_view rows) {
+    std::size_t end = 0;
+    bool quoted = false;
+    for (std::size_t i = 0; i != rows.size(); ++i) {
+        quoted ^= rows[i] == '"';
+        if (rows[i] == '\n' && !quoted) end = i + 1;
+    }
+    return end;
+}
 
 class FileTarget : public TextTarget {
 public:
@@ -41,7 +49,7 @@ public:
 private:
     /** Removes the part of a row after the last whole one from a file; a pipe has passed it on. */
     void takeBack(std::string_view written) {
-        const std::size_t whole = written.rfind('\n') + 1;  // npos + 1 is 0
+        const std::size_t whole = lastRowEnd(written);
         struct stat status {};
         if (whole == written.size() || ::fstat(file_, &status) != 0 || !S_ISREG(status.st_mode)) return;
         if (::ftruncate(file_, status.st_size - static_cast<off_t>(written.size() - whole)) != 0) {

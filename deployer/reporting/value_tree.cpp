@@ -7,11 +7,15 @@
 #include <rtt/Property.hpp>
 #include <rtt/internal/DataSources.hpp>
 #include <rtt/types/PropertyDecomposition.hpp>
+#include <rtt/types/MemberFactory.hpp>
+#include <rtt/types/SequenceOps.hpp>
 #include <rtt/types/TypeInfo.hpp>
+#include <rtt/types/TypeInfoRepository.hpp>
 
 #include <algorithm>
 #include <cstring>
 #include <typeinfo>
+#include <utility>
 
 namespace OCL::reporting {
 namespace {
@@ -62,9 +66,8 @@ void ValueTree::decide() {
         kind_ = takeMembers() ? Kind::Bag : Kind::Text;
     } else if (decomposition_ == Decomposition::Members && id && (numbers_ = numberVectorOf(*id))) {
         kind_ = Kind::Numbers;
-        size_ = static_cast<int>(numbers_->size(address()));
-    } else if (decomposition_ == Decomposition::Members && becomeGroup()) {
-        kind_ = Kind::Group;
+    } else if (decomposition_ == Decomposition::Members) {
+        (void)becomeGroup();
     }
     if (kind_ == Kind::Text) other_ = others_->of(*value_->getTypeInfo());
 }
@@ -73,11 +76,39 @@ bool ValueTree::becomeGroup() {
     const std::vector<std::string> members = value_->getMemberNames();
     count_ = countOf(value_, members);
     if (count_) {
-        (void)resize(numberIn(count_));
+        becomeList();
         return true;
     }
     for (const std::string& name : members) addPart(name, value_->getMember(name));
-    return !parts_.empty();
+    if (parts_.empty()) return false;
+    kind_ = Kind::Group;
+    return true;
+}
+
+void ValueTree::becomeList() {
+    kind_ = Kind::List;
+    findElement();
+    (void)resize(numberIn(count_));
+}
+
+/** Takes a default value of the elements' type apart, because there may be no elements yet. */
+void ValueTree::findElement() {
+    const RTT::types::Shape shape = value_->getTypeInfo()->shape();
+    const char* const id = shape.elements ? shape.elements->elementType() : value_->getTypeInfo()->getArrayElement();
+    const RTT::types::TypeInfo* const type = id && *id ? RTT::types::Types()->getTypeById(id) : nullptr;
+    if (!type || !others_->open.insert(type).second) return;
+    const Value example = type->buildValue();
+    if (example && example->getRawPointer()) {
+        const ValueTree element("", example, decomposition_, *others_);
+        if (element.isFixed()) element_.reset(new Field(element.field()));
+    }
+    others_->open.erase(type);
+}
+
+/** True if all values of the type have the same fields. */
+bool ValueTree::isFixed() const {
+    if (kind_ == Kind::Bag || (kind_ == Kind::List && !element_)) return false;
+    return std::all_of(parts_.begin(), parts_.end(), [](const ValueTree& part) { return part.isFixed(); });
 }
 
 void ValueTree::addPart(const std::string& name, const Value& part) {
@@ -113,17 +144,23 @@ bool ValueTree::encode(Record& record) {
         }
         case Kind::Numbers: {
             const void* const vector = address();
-            const int before = std::exchange(size_, static_cast<int>(numbers_->size(vector)));
-            record.tag(Tag::Bag);
+            record.value(Tag::Sequence, static_cast<std::uint32_t>(numbers_->size(vector)));
             numbers_->encode(vector, record);
-            encodeEmptiness(record);
-            return size_ != before;
+            return false;
+        }
+        case Kind::List: {
+            bool changed = resize(numberIn(count_)) && !element_;
+            if (element_)
+                record.value(Tag::Sequence, static_cast<std::uint32_t>(parts_.size()));
+            else
+                record.tag(Tag::Bag);
+            for (ValueTree& part : parts_) changed |= part.encode(record);
+            return changed;
         }
         case Kind::Group: {
-            bool changed = count_ && resize(numberIn(count_));
+            bool changed = false;
             record.tag(Tag::Bag);
             for (ValueTree& part : parts_) changed |= part.encode(record);
-            encodeEmptiness(record);
             return changed;
         }
         case Kind::Bag: return encodeBag(record);
@@ -149,38 +186,66 @@ bool ValueTree::takeMembers() {
 
 bool ValueTree::encodeBag(Record& record) {
     std::string before, now;
-    appendNames(before);
+    appendSignature(before);
     (void)takeMembers();
-    appendNames(now);
+    appendSignature(now);
     record.tag(Tag::Bag);
     for (ValueTree& part : parts_) (void)part.encode(record);
-    encodeEmptiness(record);
     return now != before;
 }
 
-std::size_t ValueTree::elements() const {
-    return kind_ == Kind::Numbers ? static_cast<std::size_t>(size_) : parts_.size();
+void ValueTree::appendSignature(std::string& text) const {
+    text.append(name_).push_back('\0');
+    text.append(value_->getTypeInfo()->getTypeIdName()).push_back('\0');
+    if (element_) return;
+    for (const ValueTree& part : parts_) part.appendSignature(text);
+    text.push_back('\1');
 }
 
-void ValueTree::encodeEmptiness(Record& record) const {
-    if (elements() == 0) record.value(Tag::Unsigned, std::uint64_t{0});
+Field ValueTree::leaf() const {
+    Field field;
+    if (kind_ == Kind::Leaf) {
+        field.type.number = numberOf(*value_->getTypeId());
+    } else if (other_) {
+        RTT::types::Shape shape = value_->getTypeInfo()->shape();
+        if (shape.kind == RTT::types::Shape::Kind::Enumeration) {
+            field.type.number = Number::Enumeration;
+            field.type.numbers = shape.numbers;
+            field.type.enumerators = std::move(shape.enumerators);
+        }
+    }
+    return field;
 }
 
-void ValueTree::appendNames(std::string& line, const std::string& name) const {
-    if (kind_ == Kind::Leaf || kind_ == Kind::Text) {
-        line += ' ' + name;
-        return;
+Field ValueTree::field() const {
+    Field field = kind_ == Kind::Leaf || kind_ == Kind::Text ? leaf() : Field();
+    field.name = name_;
+    const RTT::types::TypeInfo& type = *value_->getTypeInfo();
+    if (kind_ == Kind::Numbers || element_) {
+        const RTT::types::Shape shape = type.shape();
+        field.kind = Field::Kind::Sequence;
+        field.mayGrow = shape.elements ? shape.elements->resize != nullptr : *type.getArrayElement() == '\0';
+        field.parts.push_back(element_ ? *element_ : Field());
+        if (!element_) field.parts.front().type.number = numbers_->number;
+    } else if (kind_ == Kind::Group || kind_ == Kind::List || kind_ == Kind::Bag) {
+        field.kind = Field::Kind::Group;
+        const auto members = kind_ == Kind::Group ? type.getMemberFactory() : nullptr;
+        const PropertyBag* const bag = bagOf(value_);
+        for (std::size_t i = 0; i != parts_.size(); ++i) {
+            field.parts.push_back(parts_[i].field());
+            if (members)
+                describe(field.parts.back(), members->describeMember(parts_[i].name_));
+            else if (bag && i < bag->size())
+                describe(field.parts.back(), bag->getItem(static_cast<int>(i))->getDescription());
+        }
     }
-    const std::size_t count = elements();
-    if (count == 0) line += ' ' + name + "[0]";
-    for (std::size_t i = 0; i < count; ++i) {
-        if (kind_ == Kind::Numbers)
-            line += ' ' + name + '.' + std::to_string(i);
-        else if (parts_[i].name_.empty())
-            parts_[i].appendNames(line, name + '.' + std::to_string(i + 1));
-        else
-            parts_[i].appendNames(line, name + '.' + parts_[i].name_);
-    }
+    return field;
+}
+
+void ValueTree::addTypesWithoutText(std::set<std::string>& types) const {
+    for (const ValueTree& part : parts_) part.addTypesWithoutText(types);
+    const RTT::types::TypeInfo& type = *value_->getTypeInfo();
+    if (kind_ == Kind::Text && textOf(value_) == "(" + type.getTypeName() + ")") types.insert(type.getTypeName());
 }
 
 void ValueTree::addTo(PropertyBag& bag) {

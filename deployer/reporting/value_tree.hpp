@@ -4,18 +4,21 @@
  * A value taken apart into the columns of a report. The tree is built once; rows only follow it:
  *
  *     struct ──► a Group with a node per member            double, string, …  ──► a Leaf
- *     sequence ──► a Group with a node per element          vector of numbers  ──► Numbers, as a whole
+ *     sequence ──► a List with a node per element           vector of numbers  ──► Numbers, as a whole
  *     anything else: a Leaf with the text of the value
  */
 #ifndef ORO_OCL_REPORTING_VALUE_TREE_HPP
 #define ORO_OCL_REPORTING_VALUE_TREE_HPP
 
+#include "fields.hpp"
 #include "leaf_kinds.hpp"
 #include "other_value.hpp"
 
 #include <rtt/PropertyBag.hpp>
 #include <rtt/base/DataSourceBase.hpp>
 
+#include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -38,29 +41,32 @@ public:
     /** `others` must outlive the records. */
     ValueTree(std::string name, Value value, Decomposition decomposition, OtherValues& others);
 
-    /** Appends the present value. True if its columns have changed. */
+    /** Appends the present value. True if field() has changed; the size of a sequence does not count. */
     bool encode(Record& record);
-    /** Appends the names of the columns, a blank before each. */
-    void appendNames(std::string& line) const { appendNames(line, name_); }
+    /** What encode() appends. Allocates. */
+    Field field() const;
+    /** Adds the names of the types of parts that have neither members nor a text. */
+    void addTypesWithoutText(std::set<std::string>& types) const;
     /** Adds the value as properties with copies, one bag per value with members. */
     void addTo(RTT::PropertyBag& bag);
 
 private:
-    enum class Kind { Leaf, Text, Numbers, Group, Bag };
+    enum class Kind { Leaf, Text, Numbers, Group, List, Bag };
 
     void decide();
     bool becomeGroup();
     void addPart(const std::string& name, const Value& part);
+    void becomeList();
     bool resize(int size);
+    void findElement();
     const void* address() const;
     bool encodeBag(Record& record);
     bool takeMembers();
     bool currentBag(RTT::PropertyBag& bag) const;
-    std::size_t elements() const;
-    /** An empty sequence has a column "name[0]", because otherwise later values would move to other columns. */
-    void encodeEmptiness(Record& record) const;
-    /** Appends the names of the columns; a part without a name gets its number, from 1. */
-    void appendNames(std::string& line, const std::string& name) const;
+    /** Appends names and types of all parts, to see whether they have changed. */
+    void appendSignature(std::string& text) const;
+    Field leaf() const;
+    bool isFixed() const;
 
     std::string name_;
     Value value_;
@@ -70,9 +76,10 @@ private:
     const void* fixed_ = nullptr;  // the address of the value, if it is constant
     Encode encode_ = nullptr;      // Leaf
     const NumberVector* numbers_ = nullptr;
-    const OtherValue* other_ = nullptr;  // Text: null if this thread makes the text
-    Value count_;                        // Group: the size of a sequence
-    int size_ = 0;                       // number of elements of Numbers or a sequence
+    const OtherValue* other_ = nullptr;     // Text: null if this thread makes the text
+    Value count_;                           // List: the size
+    std::shared_ptr<const Field> element_;  // List: what all elements are like; null if each has a field of its own
+    int size_ = 0;                          // number of elements of Numbers or a sequence
     std::vector<ValueTree> parts_;
 };
 

@@ -43,6 +43,8 @@ const std::vector<Kind>& kinds() {
          "include/NAME/NAME-types.hpp", true},
         {"application", "a program that runs components without a deployer", SkeletonKind::Application,
          "src/NAME-application.cpp", false},
+        {"topics", "a component whose ports are topics of ROS, with its launch file", SkeletonKind::Topics,
+         "src/NAME-topics.cpp", false},
         {"all", "component, service, plugin, support and typekit; the same as no kind", std::nullopt, "", false},
         {"cmake", "the build files alone", std::nullopt, "", false},
         {"empty", "package.xml alone", std::nullopt, "", false},
@@ -66,6 +68,7 @@ std::string withName(std::string pattern, const std::string& name) {
 std::string classOf(SkeletonKind kind, const std::string& name, const Options& options) {
     std::string last = options.className.empty() ? view::className(name) : options.className;
     if (kind == SkeletonKind::Service) last += "Service";
+    if (kind == SkeletonKind::Topics) last += "Topics";
     if (kind == SkeletonKind::Application) last += "Application";
     return options.nameSpace.empty() ? last : options.nameSpace + "::" + last;
 }

@@ -35,7 +35,7 @@ constexpr const char* kUsage =
     "  orocreate-pkg --explain [CODE...]      what a code means, as the OM003 in \"error: [OM003] ...\"; none = list "
     "them\n"
     "\n"
-    "Kinds, any number of them, none = all: component plugin service support typekit application;\n"
+    "Kinds, any number of them, none = all: component plugin service support typekit application topics;\n"
     "cmake (only the build files), empty (only package.xml).\n";
 
 const std::string kCreate = "a new package";

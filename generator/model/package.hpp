@@ -181,7 +181,7 @@ struct Person {
     Text email;
 };
 
-enum class SkeletonKind { Component, Plugin, Service, Support, Application };
+enum class SkeletonKind { Component, Topics, Plugin, Service, Support, Application };
 
 /// A part of a package that is written once from a template; no manifest describes it.
 struct Skeleton {

@@ -244,9 +244,11 @@ json packageView(const model::Package& package, const std::string& manifest) {
     view["connections"] = connectionViews(connectionsOf(package));
     view["hasConnections"] = !view["connections"].empty();
     view["skeletons"] = package.skeletons.empty() ? json(nullptr) : skeletonsView(package);
-    view["deployedSkeletons"] = skeletonsView(package)["components"];
+    const json skeletons = skeletonsView(package);
+    view["deployedSkeletons"] = skeletons["components"];
+    if (!skeletons["topics"].empty()) view["usesTopics"] = true;
     view["deployable"] = view["hasComponents"] || !view["deployedSkeletons"].empty();
-    view["hasTests"] = view["hasManifestTests"] || view["deployable"];
+    view["hasTests"] = view["hasManifestTests"] || skeletons["hasTests"];
     view["buildTool"] = "cmake";
     return view;
 }

@@ -28,6 +28,7 @@ const model::Skeleton* firstComponent(const model::Package& package) {
 std::string listOfKind(SkeletonKind kind) {
     switch (kind) {
         case SkeletonKind::Component: return "components";
+        case SkeletonKind::Topics: return "topics";
         case SkeletonKind::Plugin: return "plugins";
         case SkeletonKind::Service: return "services";
         case SkeletonKind::Support: return "supports";
@@ -57,6 +58,9 @@ json skeletonView(const model::Package& package, const model::Skeleton& skeleton
     view["instance"] = instanceName(model::lastName(skeleton.className));
     view["service"] = identifier(skeleton.name) + "_service";
     view["plugin"] = skeleton.name + "-plugin";
+    view["node"] = identifier(skeleton.name);
+    view["target"] = skeleton.kind == SkeletonKind::Topics ? skeleton.name + "-topics" : skeleton.name;
+    view["source"] = skeleton.name + (skeleton.kind == SkeletonKind::Topics ? "-topics" : "-component");
     view["comment"] = nullptr;
     view["withComponent"] = orNull(component == nullptr ? "" : component->name);
     if (skeleton.kind == SkeletonKind::Application && component != nullptr) {
@@ -68,7 +72,7 @@ json skeletonView(const model::Package& package, const model::Skeleton& skeleton
 
 json skeletonsView(const model::Package& package) {
     json view;
-    for (const char* list : {"components", "plugins", "services", "supports", "applications"}) {
+    for (const char* list : {"components", "topics", "plugins", "services", "supports", "applications"}) {
         view[list] = json::array();
     }
     std::string headers;
@@ -81,7 +85,8 @@ json skeletonsView(const model::Package& package) {
     }
     view["headerList"] = orNull(headers.empty() ? "" : headers.substr(1));
     view["tested"] = view["components"];
-    view["hasTests"] = !view["components"].empty();
+    for (const json& topics : view["topics"]) view["tested"].push_back(topics);
+    view["hasTests"] = !view["tested"].empty();
     return view;
 }
 

@@ -6,7 +6,8 @@
 #   oroforge_ros_components(<package> <name> <source>…)  a library of components, where import(<package>) finds it
 #   oroforge_ros_plugin(<package> <name> <source>…)      a plugin in its folder plugins
 #   oroforge_ros_typekit(<package> <name> <source>…)     a typekit or transport in its folder types
-# All of them make the target <name>. Headers are included as <package/file.h>.
+#   oroforge_ros_unit(<name> <unit> <source>…)           sources of <name> that are compiled as one: headers of ROS take longer
+# All but the last make the target <name>. Headers are included as <package/file.h>.
 #
 #   oroforge_ros_package(<package> DESCRIPTION <text>
 #     [DEPENDS <package>…]     of this family, made before: find_package() of the package finds them, too
@@ -57,6 +58,12 @@ endfunction()
 function(oroforge_ros_typekit package name)
   add_library(${name} SHARED ${ARGN})
   _oroforge_ros_target(${name} ${OROFORGE_PLUGIN_DIR}/${package}/types)
+endfunction()
+
+function(oroforge_ros_unit name unit)
+  file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR}/ros ${CMAKE_CURRENT_SOURCE_DIR})
+  list(TRANSFORM ARGN PREPEND ${folder}/ OUTPUT_VARIABLE sources)
+  oroforge_unit(${name} ${unit} ${PROJECT_SOURCE_DIR}/ros ${sources})
 endfunction()
 
 function(oroforge_ros_package package)

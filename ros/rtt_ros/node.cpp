@@ -18,8 +18,10 @@
 #include <chrono>
 #include <cstdlib>
 #include <exception>
+#include <future>
 #include <memory>
 #include <mutex>
+#include <thread>
 #include <vector>
 
 namespace ros {
@@ -40,6 +42,7 @@ constexpr std::chrono::seconds kBetweenLooks{1};
 /** Calls of roscpp wait for a master that is lost; without an end by default. */
 constexpr double kRetrySeconds = 2.0;
 constexpr int kMostThreads = 256;
+constexpr std::chrono::seconds kCallbacksEnd{3};
 
 struct Node {
     std::mutex mutex;
@@ -152,6 +155,18 @@ bool start(Node& self, std::string& why) {
     return true;
 }
 
+/** False if a callback does not end in time. */
+bool endsSoon(std::unique_ptr<ros::AsyncSpinner> spinner) {
+    const std::shared_ptr<ros::AsyncSpinner> kept = std::move(spinner);
+    const auto ended = std::make_shared<std::promise<void>>();
+    std::future<void> end = ended->get_future();
+    std::thread([kept, ended] {
+        kept->stop();
+        ended->set_value();
+    }).detach();
+    return end.wait_for(kCallbacksEnd) == std::future_status::ready;
+}
+
 }  // namespace
 
 bool isNode(std::string& why) {
@@ -209,8 +224,9 @@ void stopNode() {
         spinner = std::move(self.spinner);
     }
     // Without the lock, because a callback may ask whether the node is ready.
-    if (spinner) spinner->stop();
-    spinner.reset();
+    if (spinner && !endsSoon(std::move(spinner)))
+        log(RTT::Error) << "a callback of the ROS node does not end, such as a service whose operation no component "
+                        << "executes; it is not waited for" << endlog();
     if (!ros::isInitialized()) return;
     // Or roscpp waits without end to take back all topics from a master that is stopped.
     const std::string silence =

@@ -29,7 +29,8 @@ bool isNodeReady(std::string& why);
  */
 bool startNode();
 
-/** Ends the spinner, then the node, for good; callbacks have ended when it returns. For plugin `rosnode`. */
+/** Ends the spinner, then the node, for good; callbacks have ended when it returns, but for those that take longer than 3 s
+    more, after an error in the log. For plugin `rosnode`. */
 void stopNode();
 
 }  // namespace rtt_ros

@@ -26,6 +26,8 @@ namespace {
 constexpr std::chrono::milliseconds kAnswers{1000};
 constexpr std::chrono::milliseconds kUnsubscribes{2000};
 
+}  // namespace
+
 /// Tells that there is a callback to call. roscpp's own queue can only be waited for.
 class NotifyingQueue : public ros::CallbackQueue {
 public:
@@ -44,8 +46,6 @@ private:
     std::mutex mutex_;
     std::function<void()> onMessage_;
 };
-
-}  // namespace
 
 struct ClockTopic::Subscription {
     explicit Subscription(std::function<void()> onMessage) : queue(std::move(onMessage)) {

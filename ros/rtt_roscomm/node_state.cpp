@@ -18,7 +18,8 @@ namespace rtt_roscomm {
 
 namespace {
 
-constexpr std::chrono::milliseconds kPatience(2000);
+constexpr std::chrono::milliseconds kEndPatience(2000);
+constexpr std::chrono::seconds kBetweenLooks(1);
 
 /** One thread, which ends when it has nothing to do. It is never joined: nobody can wait for a master that is stopped. */
 class Helper {
@@ -75,11 +76,17 @@ private:
 
 std::function<void()> nowOrWhenThere(std::function<void()> work) {
     return [work = std::move(work)] {
+        typedef std::chrono::steady_clock Clock;
+        // Looking for a master that is stopped takes 0.8 s: a program with a hundred topics ends in time so.
+        static Clock::time_point lookAgain;  // of the helper's thread
         std::string why;
-        if (isNodeReady(why) || !isNode(why))
+        const bool isSilent = isNode(why) && (Clock::now() < lookAgain || !isNodeReady(why));
+        if (!isSilent || !isNode(why)) {
             work();  // a node that has been shut down asks nobody
-        else
-            detail::MasterWatch::instance().keep(work);
+            return;
+        }
+        if (Clock::now() >= lookAgain) lookAgain = Clock::now() + kBetweenLooks;
+        detail::MasterWatch::instance().keep(work);
     };
 }
 
@@ -89,7 +96,7 @@ void doWithin(std::function<void()> work, std::chrono::milliseconds limit) {
     Helper::instance().execute(std::move(work), limit);
 }
 
-void endWithMaster(std::function<void()> work) { doWithin(nowOrWhenThere(std::move(work)), kPatience); }
+void endWithMaster(std::function<void()> work) { doWithin(nowOrWhenThere(std::move(work)), kEndPatience); }
 
 void endWithMasterLater(std::function<void()> work) {
     doWithin(nowOrWhenThere(std::move(work)), std::chrono::milliseconds(0));

@@ -44,7 +44,7 @@ bool ROSServiceClientProxyBase::bind(const ServiceType& type, Form form, RTT::Ta
         RTT::log(RTT::Error) << who << " cannot use service '" << getServiceName() << "': " << why << RTT::endlog();
         return false;
     }
-    auto made = std::make_shared<ServiceConnection>(resolved, type, timeout_, who);
+    auto made = std::make_shared<ServiceConnection>(resolved, type, timeout_, who, owner);
     if (!bindCaller(caller, made, std::move(form), owner ? owner->engine() : nullptr)) return false;
     if (connection_) connection_->close();
     connection_ = std::move(made);

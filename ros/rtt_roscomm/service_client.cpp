@@ -3,13 +3,20 @@
 #include <rtt_roscomm/service_client.hpp>
 
 #include <rtt/Logger.hpp>
+#include <rtt/base/TaskCore.hpp>
+#include <rtt_ros/xml_rpc.hpp>
 #include <rtt_roscomm/detail/normal_thread.hpp>
 #include <rtt_roscomm/node_state.hpp>
 
 #include <ros/connection.h>
-#include <ros/ros.h>
-#include <ros/service_manager.h>
+#include <ros/connection_manager.h>
+#include <ros/network.h>
+#include <ros/poll_manager.h>
 #include <ros/service_server_link.h>
+#include <ros/this_node.h>
+#include <ros/transport/transport_tcp.h>
+
+#include <boost/make_shared.hpp>
 
 #include <algorithm>
 #include <system_error>
@@ -19,6 +26,11 @@
 namespace rtt_roscomm {
 
 namespace {
+
+constexpr std::chrono::milliseconds kMasterAnswers(1000);
+constexpr std::chrono::milliseconds kBetweenLooks(50);
+/** stop() gives up after a second, unless setStopTimeout() says otherwise. */
+constexpr std::chrono::milliseconds kPatienceOfStop(400);
 
 /** A link learns a moment later that its connection was lost. */
 bool isAlive(ros::ServiceServerLink& link) { return link.isValid() && !link.getConnection()->isDropped(); }
@@ -33,8 +45,13 @@ void finished(SentRequest& sent, bool isAnswered) {
 
 }  // namespace
 
-ServiceConnection::ServiceConnection(std::string resolved, ServiceType type, double timeout, std::string who)
-    : name_(std::move(resolved)), type_(std::move(type)), timeout_(timeout > 0 ? timeout : 0), who_(std::move(who)) {}
+ServiceConnection::ServiceConnection(std::string resolved, ServiceType type, double timeout, std::string who,
+                                     const RTT::base::TaskCore* owner)
+    : name_(std::move(resolved)),
+      type_(std::move(type)),
+      timeout_(timeout > 0 ? timeout : 0),
+      who_(std::move(who)),
+      owner_(owner) {}
 
 ServiceConnection::~ServiceConnection() { close(); }
 
@@ -65,22 +82,42 @@ ServiceConnection::Link ServiceConnection::connected(std::string& why) {
         if (is_closed_ || (link_ && isAlive(*link_))) return is_closed_ ? nullptr : link_;
     }
     if (!isNodeReady(why)) return nullptr;  // roscpp would wait for a master that is stopped
-    const Link made = ros::ServiceManager::instance()->createServiceServerLink(name_, true, type_.md5, type_.md5, {});
+    const Link made = open();
     if (!made) {
         why = "no node offers it, or the master or that node does not answer";
         return nullptr;
     }
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (is_closed_) {
-        drop(made);
-        why = "it was disconnected";
-        return nullptr;
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        if (!is_closed_) return link_ = made;
     }
-    return link_ = made;
+    drop(made);
+    why = "it was disconnected";
+    return nullptr;
 }
 
-bool ServiceConnection::callNow(const ros::SerializedMessage& request, ros::SerializedMessage& response,
-                                const SentRequest* sent) {
+// As roscpp does, which asks the master without a limit, and holds a lock that even the end of the node needs.
+ServiceConnection::Link ServiceConnection::open() const {
+    XmlRpc::XmlRpcValue request, found;
+    request[0] = ros::this_node::getName();
+    request[1] = name_;
+    std::string host;
+    std::uint32_t port = 0;
+    if (!rtt_ros::callMaster("lookupService", request, found, kMasterAnswers) ||
+        found.getType() != XmlRpc::XmlRpcValue::TypeString ||
+        !ros::network::splitURI(static_cast<std::string&>(found), host, port))
+        return nullptr;
+    const auto transport = boost::make_shared<ros::TransportTCP>(&ros::PollManager::instance()->getPollSet());
+    if (!transport->connect(host, static_cast<int>(port))) return nullptr;
+    const auto connection = boost::make_shared<ros::Connection>();
+    ros::ConnectionManager::instance()->addConnection(connection);
+    const auto link = boost::make_shared<ros::ServiceServerLink>(name_, true, type_.md5, type_.md5, ros::M_string());
+    connection->initialize(transport, false, ros::HeaderReceivedFunc());
+    link->initialize(connection);
+    return link;
+}
+
+bool ServiceConnection::callNow(const SentRequest& sent, ros::SerializedMessage& response) {
     std::string why;
     bool isAnswered = false, isGivenUp = false;
     const auto execute = [&] {
@@ -88,10 +125,10 @@ bool ServiceConnection::callNow(const ros::SerializedMessage& request, ros::Seri
         if (!link) return;
         {
             const std::lock_guard<std::mutex> lock(mutex_);
-            isGivenUp = sent && current_ != sent;
+            isGivenUp = current_ != &sent;
         }
         if (isGivenUp) return;
-        isAnswered = link->call(request, response);
+        isAnswered = link->call(sent.request, response);
         if (!isAnswered)
             why = isAlive(*link)
                       ? "the server refused the call, with the text that roscpp wrote above"
@@ -107,7 +144,7 @@ bool ServiceConnection::callNow(const ros::SerializedMessage& request, ros::Seri
 }
 
 bool ServiceConnection::call(const ros::SerializedMessage& request, ros::SerializedMessage& response) {
-    if (timeout_ == 0) return callNow(request, response, nullptr);
+    // Another thread waits for roscpp, which has no limit, and nothing that ends its waiting for one call alone.
     const std::shared_ptr<SentRequest> sent = send(request);
     if (!sent || !finish(*sent, true)) return false;
     response = sent->response;
@@ -145,7 +182,7 @@ void ServiceConnection::work() {
         begun_ = Clock::now();
         lock.unlock();
         ros::SerializedMessage response;
-        const bool isAnswered = callNow(sent->request, response, sent.get());
+        const bool isAnswered = callNow(*sent, response);
         {
             const std::lock_guard<std::mutex> own(sent->mutex);
             if (!sent->isDone) {
@@ -166,25 +203,41 @@ bool ServiceConnection::finish(SentRequest& sent, bool wait) {
     std::unique_lock<std::mutex> lock(sent.mutex);
     if (sent.isDone || !wait) return sent.isDone;
     const auto isDone = [&] { return sent.isDone; };
-    if (timeout_ == 0) {
-        sent.changed.wait(lock, isDone);
-        return true;
+    const std::chrono::duration<double> limit(timeout_ == 0 ? 1e9 : timeout_);
+    const Clock::time_point begin = Clock::now();
+    Clock::time_point running = begin;  // when the component was not being stopped
+    bool isEnding = false, isOver = false;
+    while (!isEnding && !isOver) {
+        const std::chrono::duration<double> left = limit - (Clock::now() - begin), look = kBetweenLooks;
+        if (sent.changed.wait_for(lock, std::min(look, left), isDone)) return true;
+        const Clock::time_point now = Clock::now();
+        if (!isOwnerStopping()) running = now;
+        isEnding = now - running >= kPatienceOfStop;
+        isOver = now - begin >= limit;
     }
-    if (sent.changed.wait_for(lock, std::chrono::duration<double>(timeout_), isDone)) return true;
     sent.isDone = true;
     lock.unlock();
-    failed("no response within " + std::to_string(timeout_) + " s");
-    giveUp(sent);
+    failed(isEnding ? "no response, and the component is being stopped"
+                    : "no response within " + std::to_string(timeout_) + " s");
+    giveUp(sent, isEnding);
     return true;
 }
 
-void ServiceConnection::giveUp(const SentRequest& sent) {
+/** Does stop() wait for the end of a step? */
+bool ServiceConnection::isOwnerStopping() const {
+    using RTT::base::TaskCore;
+    const std::lock_guard<std::mutex> lock(mutex_);  // close() is called before the owner is gone
+    return owner_ && !is_closed_ && owner_->getTaskState() >= TaskCore::Running &&
+           owner_->getTargetState() < TaskCore::Running;
+}
+
+void ServiceConnection::giveUp(const SentRequest& sent, bool isEnding) {
     const std::lock_guard<std::mutex> lock(mutex_);
     const auto isIt = [&](const std::shared_ptr<SentRequest>& one) { return one.get() == &sent; };
     sent_.erase(std::remove_if(sent_.begin(), sent_.end(), isIt), sent_.end());
     if (!current_) return;
     // A call whose handle nobody collects must not stop all others for ever.
-    const bool isOver = Clock::now() - begun_ >= std::chrono::duration<double>(timeout_);
+    const bool isOver = isEnding || (timeout_ != 0 && Clock::now() - begun_ >= std::chrono::duration<double>(timeout_));
     if (current_ != &sent && !isOver) return;
     current_ = nullptr;
     drop(link_);  // with the lock, because the next call may use the same connection

@@ -19,6 +19,7 @@
 namespace RTT {
 namespace base {
 class OperationCallerBaseInvoker;
+class TaskCore;
 }
 class ExecutionEngine;
 }  // namespace RTT
@@ -43,18 +44,21 @@ struct SentRequest {
  */
 class ServiceConnection : public std::enable_shared_from_this<ServiceConnection> {
 public:
-    /** `who` is for messages: "operation caller 'f' of component 'c'". `timeout` in seconds, 0 for none. */
-    ServiceConnection(std::string resolved, ServiceType type, double timeout, std::string who);
+    /** `who` is for messages: "operation caller 'f' of component 'c'". `timeout` in seconds, 0 for none. `owner`: the
+        component of the caller, or null. It lives until close(). */
+    ServiceConnection(std::string resolved, ServiceType type, double timeout, std::string who,
+                      const RTT::base::TaskCore* owner);
     ~ServiceConnection();
 
     bool isOpen() const;
-    /** Blocks until the response is there, or the connection is lost or closed, or the time is over: then the connection
-        is closed and the next call opens it again, unless another call uses it within its own time. False, with an error logged, without a response. */
+    /** Blocks until the response is there, or the connection is lost or closed, or the time is over, or stop() of the
+        owner waits for the call for 0.4 s: then the connection is closed and the next call opens it again, unless another
+        call uses it within its own time. False, with an error logged, without a response. */
     bool call(const ros::SerializedMessage& request, ros::SerializedMessage& response);
     /** Does not wait. The first one starts a thread. Null if it is closed, or, with an error logged, if there is no
         thread to be had. */
     std::shared_ptr<SentRequest> send(const ros::SerializedMessage& request);
-    /** Waits, for the time-out at most, if `wait`. True if it is done. */
+    /** Waits, as call() does, if `wait`. True if it is done. */
     bool finish(SentRequest& sent, bool wait);
     /** Ends calls in progress, which fail, and refuses others. */
     void close();
@@ -66,10 +70,11 @@ public:
 private:
     typedef boost::shared_ptr<ros::ServiceServerLink> Link;
     typedef std::chrono::steady_clock Clock;
-    /** `sent` is null for a call that nobody can give up. */
-    bool callNow(const ros::SerializedMessage& request, ros::SerializedMessage& response, const SentRequest* sent);
-    void giveUp(const SentRequest& sent);
+    bool callNow(const SentRequest& sent, ros::SerializedMessage& response);
+    void giveUp(const SentRequest& sent, bool isEnding);
+    bool isOwnerStopping() const;
     Link connected(std::string& why);
+    Link open() const;
     void work();
     void drop(const Link& link);
 
@@ -77,6 +82,7 @@ private:
     const ServiceType type_;
     const double timeout_;
     const std::string who_;
+    const RTT::base::TaskCore* const owner_;
     std::mutex connecting_;  // one thread asks the master
     mutable std::mutex mutex_;
     std::condition_variable changed_;

@@ -54,6 +54,16 @@ InputPortInterface& DataFlowInterface::addEventPort(InputPortInterface& port, co
     return port;
 }
 
+bool DataFlowInterface::setEventPort(InputPortInterface& port, const SlotFunction& callback) {
+    if (getOwner() && port.getInterface() == this) {
+        setupCallback(port, callback);
+        return true;
+    }
+    log(Error) << "port " << port.getFullName() << " is not of this component: it cannot become an event port of it"
+               << endlog();
+    return false;
+}
+
 PortInterface& DataFlowInterface::addLocalPort(PortInterface& port) {
     replacePort(port.getName());
     if (DataFlowInterface* other = port.getInterface()) other->forgetPort(port);

@@ -46,6 +46,9 @@ public:
                                            const SlotFunction& callback = SlotFunction());
     base::InputPortInterface& addEventPort(base::InputPortInterface& port,
                                            const SlotFunction& callback = SlotFunction());
+    /** Makes a port of this component an event port, or replaces its callback; it stays connected. False, with an error
+        logged, if the port is not of this component. */
+    bool setEventPort(base::InputPortInterface& port, const SlotFunction& callback = SlotFunction());
     /** The same without a service. */
     base::PortInterface& addLocalPort(base::PortInterface& port);
     base::InputPortInterface& addLocalEventPort(base::InputPortInterface& port,

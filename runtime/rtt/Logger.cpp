@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include <rtt/Logger.hpp>
 
+#include <rtt/LogReceiver.hpp>
 #include <rtt/detail/log_line.hpp>
 #include <rtt/detail/log_sink.hpp>
 #include <rtt/internal/flow/reclaimer.hpp>
@@ -59,10 +60,15 @@ Logger::In::In(const char* module) { enter(module, std::strlen(module)); }
 void Logger::In::enter(const char* module, std::size_t size) noexcept {
     detail::LogLine& line = logLine();
     std::strcpy(previous_, line.module);
+    previousDepth_ = line.depth;
     line.setModule(module, size);
 }
 
-Logger::In::~In() { logLine().setModule(previous_, std::strlen(previous_)); }
+Logger::In::~In() {
+    detail::LogLine& line = logLine();
+    line.setModule(previous_, std::strlen(previous_));
+    line.depth = previousDepth_;
+}
 
 Logger* Logger::Instance() {
     static Logger* const instance = [] {
@@ -133,8 +139,18 @@ Logger& Logger::in(const std::string& module) {
     logLine().setModule(module.data(), module.size());
     return *this;
 }
-Logger& Logger::out(const std::string& previousModule) { return in(previousModule); }
-std::string Logger::getLogModule() const { return logLine().module; }
+
+Logger& Logger::out(const std::string& previousModule) {
+    detail::LogLine& line = logLine();
+    line.depth = detail::LogLine::kNoModule;
+    // A name that the thread would have anyway is not made its module, or it would outlast a component's hook.
+    return getLogModule() == previousModule ? *this : in(previousModule);
+}
+
+std::string Logger::getLogModule() const {
+    char room[detail::kLongestThreadName];
+    return std::string(logLine().origin(room));
+}
 
 void Logger::setLogLevel(LogLevel level) { logSink().setLevel(level); }
 Logger::LogLevel Logger::getLogLevel() const { return logSink().level(); }
@@ -159,6 +175,15 @@ void Logger::disallowRealTime() {
 std::string Logger::getLogLine() { return logSink().takeLine(); }
 os::TimeService::ticks Logger::getReferenceTime() const { return logSink().referenceTime(); }
 void Logger::setReferenceTime(os::TimeService::ticks reference) { logSink().setReferenceTime(reference); }
+
+void Logger::setLogTime(LogTime time) { logSink().setTime(time); }
+LogTime Logger::getLogTime() { return logSink().time(); }
+
+LogReceiver* Logger::setReceiver(LogReceiver* receiver, LogReceiverUse use) {
+    return logSink().setReceiver(receiver, use);
+}
+
+LogReceiver::~LogReceiver() = default;
 
 void Logger::startup() { logSink().startup(); }
 void Logger::shutdown() { logSink().shutdown(); }

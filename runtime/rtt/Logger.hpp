@@ -20,6 +20,16 @@ using std::log;
 /** Severity of a message; smaller is worse. */
 enum LoggerLevel { Never = 0, Fatal = 1, Critical = 2, Error = 3, Warning = 4, Info = 5, Debug = 6, RealTime = 7 };
 
+/** How lines show when they were logged. */
+enum class LogTime {
+    Relative, /**< seconds since the reference time: `12.345` */
+    Wall      /**< local time by ISO 8601: `2026-03-29T14:37:49.123+02:00` */
+};
+
+class LogReceiver;
+/** What the file gets while there is a LogReceiver. */
+enum class LogReceiverUse { BesideFile, InsteadOfFile };
+
 namespace detail {
 constexpr std::size_t kLongestLogModule = 255;
 }
@@ -28,8 +38,22 @@ constexpr std::size_t kLongestLogModule = 255;
  * The log of the process: `log(Error) << "what happened" << endlog();`
  *
  * The console (std::cerr) shows lines up to the log level (default Warning), the file `orocos.log` those up to Info or
- * the log level, whichever is more. Environment at start-up: ORO_LOGLEVEL (number; negative: no logging at all) and
- * ORO_LOGFILE (file name). The first use starts logging.
+ * the log level, whichever is more. The first use starts logging. Environment at start-up:
+ *
+ *   ORO_LOGLEVEL      number; negative: no logging at all
+ *   ORO_LOGTIME       relative (default) or wall, see LogTime
+ *   ORO_LOGCOLOR      auto (default), never or always: colours of the levels on std::cerr. Automatically they are on if
+ *                     that is a terminal, NO_COLOR is not set and TERM is not "dumb"
+ *   ORO_LOGFILE       file name
+ *   ORO_LOGFILE_KEEP  how many earlier files stay, as orocos.log.1 (the latest) and so on; default 3; 0: none
+ *   ORO_LOGFILE_MAX   bytes, with k, m or g for units: a file that would grow beyond becomes orocos.log.1 as well
+ *
+ * A process that finds its file used by another living process writes `orocos-<process id>.log` instead.
+ *
+ * A line is `<time> [ LEVEL ][origin] text`. The origin is the module of the innermost Logger::In; but within a hook,
+ * operation, port callback, function or script that a component executes meanwhile in this thread, the name of that
+ * component. An operation that its caller's thread executes counts as the caller's. Without both, it is the name of the
+ * thread: "main", the name that it was given, or "thread <id>".
  *
  * Every thread composes its own line, with its own level and module name; a finished line is passed on as a whole, so
  * lines of several threads never mix. A message below both levels costs one comparison per `<<`.
@@ -39,7 +63,7 @@ constexpr std::size_t kLongestLogModule = 255;
  * thread exists from __os_init(), or the first real-time os::Thread; without it, the next line of an ordinary thread or
  * the end of the process writes the queue.
  * All log(), <<, In, endlog() and nlog() are real-time safe there, unless an operator<< of a type is not.
- * A line of a real-time thread is cut after about 1750 characters, and says so; lines for which the queue (at least 64
+ * A line of a real-time thread is cut after about 1700 characters, and says so; lines for which the queue (at least 64
  * lines) has no room are counted, and a warning gives the number.
  */
 class RTT_API Logger {
@@ -67,6 +91,7 @@ public:
     private:
         void enter(const char* module, std::size_t size) noexcept;
         char previous_[detail::kLongestLogModule + 1];
+        int previousDepth_;  // as in detail::LogLine
     };
 
     static Logger& log();
@@ -102,9 +127,11 @@ public:
     void lognl();
     void logflush();
 
-    /** Module name of this thread. Prefer Logger::In. */
+    /** Sets the module of this thread's messages until the next in() or out(). Prefer Logger::In. */
     Logger& in(const std::string& module);
+    /** Ends in(), with the earlier result of getLogModule(). */
     Logger& out(const std::string& previousModule);
+    /** The origin that a line of this thread has now. */
     std::string getLogModule() const;
 
     void setLogLevel(LogLevel level);
@@ -129,6 +156,19 @@ public:
     os::TimeService::ticks getReferenceTime() const;
     /** Lines show the time since then. Any thread; for a simulation that sets the time of os::TimeService. */
     void setReferenceTime(os::TimeService::ticks reference);
+
+    /** Takes precedence over ORO_LOGTIME. Any thread, also before the first use of the log, which it does not start. */
+    static void setLogTime(LogTime time);
+    static LogTime getLogTime();
+
+    /**
+     * From now on, hands each line that is meant for the file to `receiver`, in a thread of its own. Null: to none.
+     * Returns the previous receiver, which may be destroyed then: it has got the lines that were logged before, unless
+     * that took more than a second, and is not being called any more, unless its own receive() calls this. Any thread,
+     * but not one that holds a lock that receive() takes, and not a real-time thread: waits for the end of receive().
+     * A child of fork() has no receiver at first. When the runtime ends, a receiver has a second to take the rest.
+     */
+    LogReceiver* setReceiver(LogReceiver* receiver, LogReceiverUse use = LogReceiverUse::BesideFile);
 
     void startup();
     void shutdown();

@@ -8,6 +8,7 @@
 #include <rtt/internal/GlobalEngine.hpp>
 #include <rtt/internal/calls/failed.hpp>
 #include <rtt/internal/engine/deferred_activity.hpp>
+#include <rtt/internal/engine/topology.hpp>
 #include <rtt/internal/plugin_loading.hpp>
 #include <rtt/os/ThreadInterface.hpp>
 #include <rtt/os/TimeService.hpp>
@@ -118,6 +119,7 @@ void TaskContext::exchangeActivity(base::ActivityInterface::shared_ptr next) {
     if (next) next->run(nullptr);
     next.reset();  // its thread ends before the new one starts
     engine()->startActivity();
+    internal::Topology::changed();
 }
 
 namespace {

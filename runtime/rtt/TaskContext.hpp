@@ -16,6 +16,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace RTT {
@@ -83,6 +84,9 @@ public:
     virtual bool hasPeer(const std::string& name) const;
     /** Null if there is none. */
     virtual TaskContext* getPeer(const std::string& name) const;
+    /** The names of the peers with the ways to their engines, for code that uses peers while others destroy them. */
+    typedef std::vector<std::pair<std::string, boost::intrusive_ptr<const internal::EngineGate>>> PeerGates;
+    PeerGates getPeerGates() const;
 
     /** Connects ports of equal name and opposite direction, with the default policy; false if one of them failed. */
     virtual bool connectPorts(TaskContext* peer);

@@ -43,6 +43,7 @@ oroforge_unit(orocos-rtt rtt_step ${PROJECT_SOURCE_DIR}/runtime
   rtt/ExecutionEngine.cpp
   rtt/base/TaskCore.cpp
   rtt/extras/SlaveActivity.cpp
+  rtt/extras/slave_master.cpp
   rtt/internal/engine/access_gate.cpp
   rtt/internal/engine/detail/guarded_call.cpp
   rtt/internal/engine/engine_functions.cpp

@@ -6,11 +6,16 @@ target_sources(orocos-rtt PRIVATE
   rtt/Logger.cpp
   rtt/base/ActivityInterface.cpp
   rtt/base/RunnableInterface.cpp
+  rtt/detail/log_claim.cpp
+  rtt/detail/log_clock.cpp
+  rtt/detail/log_colors.cpp
   rtt/detail/log_drain.cpp
   rtt/detail/log_file.cpp
   rtt/detail/log_format.cpp
   rtt/detail/log_line.cpp
   rtt/detail/log_queue.cpp
+  rtt/detail/log_relay.cpp
+  rtt/detail/log_settings.cpp
   rtt/detail/log_sink.cpp
   rtt/detail/oro_main.cpp
   rtt/extras/FileDescriptorActivity.cpp

@@ -2,13 +2,18 @@
 // Copyright Oroforge contributors
 // The peers of components.
 #include <rtt/TaskContext.hpp>
+#include <rtt/internal/engine/topology.hpp>
 
 #include <algorithm>
+#include <atomic>
+#include <cstdint>
 #include <mutex>
 
 namespace RTT {
 
 namespace {
+
+std::atomic<std::uint32_t> changes{0};
 
 // One lock for all, because a change concerns two components, and both may be destroyed at the same time.
 std::mutex& peersMutex() {
@@ -30,6 +35,7 @@ bool TaskContext::addPeer(TaskContext* peer, std::string alias) {
     const Lock lock(peersMutex());
     if (!peers_.emplace(alias, peer).second) return false;
     peer->users_.push_back(this);
+    internal::Topology::changed();
     return true;
 }
 
@@ -48,6 +54,7 @@ void TaskContext::forgetPeer(const std::string& name) {
     if (found == peers_.end()) return;
     TaskContext* const peer = found->second;
     peers_.erase(found);
+    internal::Topology::changed();
     // One entry for each name that the peer has here.
     const auto user = std::find(peer->users_.begin(), peer->users_.end(), this);
     if (user != peer->users_.end()) peer->users_.erase(user);
@@ -103,6 +110,18 @@ TaskContext::PeerList TaskContext::getPeerList() const {
 bool TaskContext::hasPeer(const std::string& name) const {
     const Lock lock(peersMutex());
     return peers_.count(name) != 0;
+}
+
+std::uint32_t internal::Topology::changes() noexcept { return RTT::changes.load(std::memory_order_acquire); }
+
+void internal::Topology::changed() noexcept { RTT::changes.fetch_add(1, std::memory_order_acq_rel); }
+
+TaskContext::PeerGates TaskContext::getPeerGates() const {
+    const Lock lock(peersMutex());  // while a peer is in the list, it is not destroyed
+    PeerGates gates;
+    gates.reserve(peers_.size());
+    for (const auto& entry : peers_) gates.emplace_back(entry.first, entry.second->engine()->gate());
+    return gates;
 }
 
 TaskContext* TaskContext::getPeer(const std::string& name) const {

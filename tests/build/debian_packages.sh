@@ -24,8 +24,10 @@ echo "== the packages"
 rm -rf "$build/packages"
 (cd "$build" && cpack > packages.log 2>&1) || { cat "$build/packages.log"; fail "cpack"; }
 parts=(runtime dev tools)
-for file in "$build"/packages/oroforge-ros_*.deb; do
-  [ ! -f "$file" ] || parts+=(ros)  # of a build with ROS
+for part in netcdf ros; do  # of a build with their libraries
+  for file in "$build"/packages/oroforge-"$part"_*.deb; do
+    [ ! -f "$file" ] || parts+=("$part")
+  done
 done
 for part in "${parts[@]}"; do
   file=$(echo "$build"/packages/oroforge-"$part"_*.deb)

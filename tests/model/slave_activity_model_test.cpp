@@ -7,6 +7,7 @@
 #include <rtt/extras/SlaveActivity.cpp>
 
 void RTT::os::detail::log(LogLevel, const char*, std::string_view) {}
+bool RTT::extras::SlaveActivity::awaitsTurn() const { return false; }
 
 namespace {
 

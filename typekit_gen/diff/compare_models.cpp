@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <sstream>
 
 #include <plan/cpp_words.hpp>
 
@@ -62,6 +63,7 @@ public:
             if (!find(now.fields, field.name) && !calledNow(field, old, now))
                 add(true, nameOf(field, old) + " is gone", field.where, {});
         }
+        compareMessages(old, now);
         const std::string subject = "'" + cppShown(now.cpp) + "'";
         if (old.assignable && !now.assignable) add(true, subject + " can no longer be assigned", now.where, old.where);
         // Any other difference already explains a new size.
@@ -122,6 +124,23 @@ public:
     }
 
 private:
+    /// The messages of ROS that `@ros` names. A port publishes another topic type if they differ.
+    void compareMessages(const Struct& old, const Struct& now) {
+        std::istringstream oldWords(old.message), nowWords(now.message);
+        std::string was, is, oldSum, nowSum;
+        oldWords >> was >> oldSum;
+        nowWords >> is >> nowSum;
+        const std::string subject = "'" + cppShown(now.cpp) + "' is ";
+        if (was != is)
+            add(!was.empty(),
+                subject +
+                    nowAndThen(is.empty() ? "no message of ROS" : "the message " + is, was.empty() ? "none" : was),
+                now.where, old.where);
+        else if (oldSum != nowSum && !oldSum.empty() && !nowSum.empty())
+            add(true, subject + "the message " + is + " with MD5 sum " + nowAndThen(nowSum, oldSum), now.where,
+                old.where);
+    }
+
     template <class Type>
     void compareSizes(const Type& old, const Type& now) {
         const std::string subject = "'" + cppShown(now.cpp) + "'";

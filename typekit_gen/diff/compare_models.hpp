@@ -21,7 +21,8 @@ struct Change {
 
 /// Returns changes in the order of the new types, then of old types that are gone. A change is breaking if the runtime
 /// refuses to connect ports of the two versions (see RTT::types::schemaDifference()), if property files or sources use
-/// a name that is gone, or if a value can no longer be written.
+/// a name that is gone, if a value can no longer be written, or if a struct is no longer the message of ROS that it
+/// was.
 std::vector<Change> compareModels(const model::TypeModel& old, const model::TypeModel& now);
 
 }  // namespace oroforge::typekit

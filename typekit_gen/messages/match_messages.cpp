@@ -15,13 +15,13 @@ namespace oroforge::messages {
 
 namespace {
 
-bool isName(const std::string& text) {
+bool isTagName(const std::string& text) {
     const auto isPart = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
     return !text.empty() && std::isalpha(static_cast<unsigned char>(text[0])) != 0 &&
            std::all_of(text.begin(), text.end(), isPart);
 }
 
-std::string lastOf(const std::string& path) { return path.substr(path.rfind('.') + 1); }
+std::string fieldOf(const std::string& path) { return path.substr(path.rfind('.') + 1); }
 std::string placeOf(const std::string& path) { return path.substr(0, path.rfind('.') + 1); }
 
 class Matcher {
@@ -40,7 +40,7 @@ private:
         std::string name, sum, more;
         words >> name >> sum >> more;
         const std::size_t slash = std::min(name.find('/'), name.size());
-        if (!isName(name.substr(0, slash)) || slash == name.size() || !isName(name.substr(slash + 1)) ||
+        if (!isTagName(name.substr(0, slash)) || slash == name.size() || !isTagName(name.substr(slash + 1)) ||
             !more.empty()) {
             sink_
                 .error(type.where, "TK080",
@@ -88,8 +88,8 @@ private:
         std::set<std::string> paths;
         for (const auto& [own, its] : pairs) paths.insert(its->path);
         for (const auto& [own, its] : pairs) {
-            const std::string name = lastOf(own->path);
-            if (name == lastOf(its->path) || paths.count(placeOf(its->path) + name) == 0) continue;
+            const std::string name = fieldOf(own->path);
+            if (name == fieldOf(its->path) || paths.count(placeOf(its->path) + name) == 0) continue;
             sink_
                 .warning(own->where, "TK083",
                          "field '" + own->path + "' of '" + shown(type) + "' is where '" + message.fullName() +

@@ -5,12 +5,9 @@
 #include "options.hpp"
 #include "recording.hpp"
 
-#include <reporting/screen_file.hpp>
 #include <rtt/Logger.hpp>
 #include <rtt/ConnPolicy.hpp>
 #include <rtt/Property.hpp>
-
-#include <iostream>
 
 namespace OCL {
 namespace {
@@ -82,11 +79,6 @@ bool McapReporting::save() {
         RTT::log(RTT::Error) << "'" << getName() << "' saved nothing: it must run, with the property Ring larger than 0"
                              << RTT::endlog();
     return good;
-}
-
-bool McapReporting::screenComponent(const std::string& component) {
-    if (!getPeer(component)) return screenImpl(component, std::cerr);  // which reports the error
-    return reporting::writeScreenFile(component, [&](std::ostream& to) { return screenImpl(component, to); });
 }
 
 }  // namespace OCL

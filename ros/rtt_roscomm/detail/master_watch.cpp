@@ -28,7 +28,7 @@ namespace {
 using rtt_ros::callMaster;
 using XmlRpc::XmlRpcValue;
 
-constexpr std::chrono::milliseconds kPatience(1000);
+constexpr std::chrono::milliseconds kMasterPatience(1000);
 
 XmlRpcValue requestOf(const std::string& name) {
     XmlRpcValue request;
@@ -43,12 +43,12 @@ bool registerPublisher(const std::string& topic, const std::string& node) {
     XmlRpcValue request = requestOf(topic), result;
     request[2] = publication->getDataType();
     request[3] = node;
-    if (!callMaster("registerPublisher", request, result, kPatience)) return false;
+    if (!callMaster("registerPublisher", request, result, kMasterPatience)) return false;
     // It may have been closed meanwhile.
     if (ros::TopicManager::instance()->lookupPublication(topic)) return true;
     XmlRpcValue taken = requestOf(topic);
     taken[2] = node;
-    return callMaster("unregisterPublisher", taken, result, kPatience);
+    return callMaster("unregisterPublisher", taken, result, kMasterPatience);
 }
 
 /** The node learns of the publishers as if the master had told it. */
@@ -56,7 +56,7 @@ bool registerSubscriber(const std::string& topic, const std::string& node) {
     XmlRpcValue request = requestOf(topic), publishers;
     request[2] = "*";
     request[3] = node;
-    if (!callMaster("registerSubscriber", request, publishers, kPatience)) return false;
+    if (!callMaster("registerSubscriber", request, publishers, kMasterPatience)) return false;
     std::string host;
     std::uint32_t port = 0;
     if (!ros::network::splitURI(node, host, port)) return true;
@@ -64,7 +64,7 @@ bool registerSubscriber(const std::string& topic, const std::string& node) {
     update[0] = "/master";
     update[1] = topic;
     update[2] = publishers;
-    return rtt_ros::callXmlRpc(host, port, "publisherUpdate", update, ignored, kPatience).empty();
+    return rtt_ros::callXmlRpc(host, port, "publisherUpdate", update, ignored, kMasterPatience).empty();
 }
 
 std::string serviceUri() {
@@ -76,7 +76,7 @@ bool registerService(const std::string& name, const std::string& node) {
     XmlRpcValue request = requestOf(name), result;
     request[2] = serviceUri();
     request[3] = node;
-    return callMaster("registerService", request, result, kPatience);
+    return callMaster("registerService", request, result, kMasterPatience);
 }
 
 const RTT::os::CleanupFunction atExit([] { MasterWatch::instance().stop(); }, RTT::os::StopDefault);
@@ -168,7 +168,7 @@ MasterWatch::Master MasterWatch::ask() const {
     XmlRpcValue answer;
     const XmlRpcValue request = requestOf(ros::this_node::getName());
     const std::string why = rtt_ros::callXmlRpc(ros::master::getHost(), ros::master::getPort(), "lookupNode", request,
-                                                answer, kPatience);
+                                                answer, kMasterPatience);
     if (!why.empty() || answer.getType() != XmlRpcValue::TypeArray || answer.size() != 3 ||
         answer[0].getType() != XmlRpcValue::TypeInt)
         return Master::Away;
@@ -199,7 +199,7 @@ bool MasterWatch::registerAll() {
         kept_.push_back([name] {
             XmlRpcValue request = requestOf(name), ignored;
             request[2] = serviceUri();
-            (void)callMaster("unregisterService", request, ignored, kPatience);
+            (void)callMaster("unregisterService", request, ignored, kMasterPatience);
         });
         ++users_;
     }

@@ -96,6 +96,7 @@ TaskCore::StateVariable& TaskCore::StateVariable::operator=(TaskState state) {
 TaskCore::~TaskCore() {
     if (ee->getActivity()) ee->getActivity()->stop();
     delete ee;
+    HookInProgress::forget(this);
 }
 
 const std::string& TaskCore::getName() const { return name_; }
@@ -120,12 +121,15 @@ TaskCore::Outcome TaskCore::callHook(const char* function, TaskState during, Hoo
         // error() and recover() do not affect stop().
         const bool same = now.state == during || (during >= Running && now.state >= Running);
         if (same && now.target == target) return Outcome::Accepted;
+        const Logger::In in(getName());
         log(Error) << getName() << ": the state of the component was changed while the hook of " << function
                    << " executed, and that returned true" << endlog();
         if (now.state == Exception || now.state == FatalError) return Outcome::Threw;
     } catch (const std::exception& e) {
+        const Logger::In in(getName());
         log(Error) << getName() << ": the hook of " << function << " threw: " << e.what() << endlog();
     } catch (...) {
+        const Logger::In in(getName());
         log(Error) << getName() << ": the hook of " << function << " threw something that is no std::exception"
                    << endlog();
     }
@@ -137,6 +141,7 @@ namespace {
 
 /** Logs the reason, because the caller only sees false. */
 bool tellRefused(const TaskCore& task, Logger::LogLevel level, const char* function, const char* why) {
+    const Logger::In in(task.getName());
     log(level) << task.getName() << ": " << function << " returns false: " << why << endlog();
     return false;
 }
@@ -287,9 +292,11 @@ void TaskCore::exception() {
         exceptionHook();
         return;
     } catch (const std::exception& e) {
+        const Logger::In in(getName());
         log(Error) << getName() << ": a hook threw while the component entered state Exception: " << e.what()
                    << endlog();
     } catch (...) {
+        const Logger::In in(getName());
         log(Error) << getName() << ": a hook threw while the component entered state Exception" << endlog();
     }
     fatal();

@@ -2,6 +2,8 @@
 // Copyright Oroforge contributors
 #include <rtt/detail/log_format.hpp>
 
+#include <rtt/detail/log_clock.hpp>
+
 #include <charconv>
 #include <cstring>
 
@@ -21,17 +23,27 @@ const char* levelTag(LoggerLevel level) noexcept {
     return "[ ?      ]";
 }
 
-std::size_t formatStart(char (&out)[kLongestStart], nsecs time, LoggerLevel level) noexcept {
-    char* at = out;
+namespace {
+
+/** `12.345`, rounded. */
+char* formatSeconds(char* at, nsecs time) noexcept {
     if (time < 0) *at++ = '-';
     const auto amount = static_cast<unsigned long long>(time);
     const unsigned long long rounded = ((time < 0 ? 0 - amount : amount) + 500000) / 1000000;  // ms
-    at = std::to_chars(at, out + 24, rounded / 1000).ptr;
+    at = std::to_chars(at, at + 20, rounded / 1000).ptr;
     *at++ = '.';
     for (unsigned digit = 100; digit != 0; digit /= 10) *at++ = static_cast<char>('0' + rounded / digit % 10);
+    return at;
+}
+
+}  // namespace
+
+std::size_t formatStart(char (&out)[kLongestStart], const LogParts& parts, TimeStyle style) noexcept {
+    static_assert(kLongestWallTime + kTagSize + 2 <= kLongestStart);
+    char* at = style.wall ? formatWallTime(out, parts.wall, style.utcOffset) : formatSeconds(out, parts.time);
     *at++ = ' ';
-    std::memcpy(at, levelTag(level), 10);
-    at += 10;
+    std::memcpy(at, levelTag(parts.level), kTagSize);
+    at += kTagSize;
     *at++ = '[';
     return static_cast<std::size_t>(at - out);
 }

@@ -5,6 +5,7 @@
 
 #include <rtt/Logger.hpp>
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -13,19 +14,28 @@ namespace detail {
 
 /** The parts of a line. */
 struct LogParts {
-    nsecs time;  // since the reference time
     LoggerLevel level;
     std::string_view module, text;
-    std::size_t cut = 0;  // number of characters that were cut off
-    bool bare = false;    // the line is the text alone
+    std::size_t cut = 0;      // number of characters that were cut off
+    bool bare = false;        // the line is the text alone
+    bool forReceiver = true;  // false if a receiver logged it
+    nsecs time = 0;           // since the reference time
+    std::int64_t wall = 0;    // ns since 1970
+};
+
+/** How a line shows its time. */
+struct TimeStyle {
+    bool wall;
+    int utcOffset;  // seconds
 };
 
 /** "[ Warning]", always ten characters. */
+constexpr std::size_t kTagSize = 10;
 const char* levelTag(LoggerLevel level) noexcept;
 
-/** `<seconds>.<ms> [ LEVEL ][` into `out`; returns its size. Neither allocates nor locks. */
+/** `<time> [ LEVEL ][` into `out`; returns its size. Neither allocates nor locks. */
 constexpr std::size_t kLongestStart = 48;
-std::size_t formatStart(char (&out)[kLongestStart], nsecs time, LoggerLevel level) noexcept;
+std::size_t formatStart(char (&out)[kLongestStart], const LogParts& parts, TimeStyle style) noexcept;
 /** ` ... (12 characters cut)` likewise; nothing if `cut` is 0. */
 constexpr std::size_t kLongestMark = 64;
 std::size_t formatMark(char (&out)[kLongestMark], std::size_t cut) noexcept;
@@ -58,12 +68,12 @@ void appendHarmless(std::string_view text, bool indented, Append append) {
     }
 }
 
-/** Calls `append(text, size)` for each part of `<seconds>.<ms> [ LEVEL ][module] text`, with the end of line. */
+/** Calls `append(text, size)` for each part of `<time> [ LEVEL ][module] text`, with the end of line. */
 template <class Append>
-void composeLine(const LogParts& parts, Append append) {
+void composeLine(const LogParts& parts, TimeStyle style, Append append) {
     char start[kLongestStart], mark[kLongestMark];
     if (!parts.bare) {
-        append(start, formatStart(start, parts.time, parts.level));
+        append(start, formatStart(start, parts, style));
         appendHarmless(parts.module, false, append);
         append("] ", std::size_t(2));
     }

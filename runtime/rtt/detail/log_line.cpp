@@ -5,12 +5,19 @@
 #include <rtt/detail/log_queue.hpp>
 #include <rtt/detail/log_sink.hpp>
 #include <rtt/internal/calls/failure_report.hpp>
+#include <rtt/internal/engine/hook_in_progress.hpp>
 #include <rtt/os/real_time_thread.hpp>
 
 #include <algorithm>
 #include <atomic>
+#include <cerrno>
+#include <charconv>
 #include <cstring>
+#include <iterator>
 #include <pthread.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
 namespace RTT::detail {
 
@@ -47,6 +54,14 @@ LogLine* makeLine() {
             if (LogLine* line = spare.exchange(nullptr, std::memory_order_acquire)) return line;
     return new LogLine;
 }
+
+int hooksInProgress() noexcept {
+    int depth = 0;
+    for (const auto* hook = internal::HookInProgress::innermost(); hook; hook = hook->outer) ++depth;
+    return depth;
+}
+
+std::atomic<unsigned> forks{1};
 
 }  // namespace
 
@@ -102,15 +117,48 @@ void LogLine::setModule(const char* name, std::size_t size) noexcept {
     size = std::min(size, kLongestLogModule);
     std::memmove(module, name, size);
     module[size] = '\0';
+    depth = hooksInProgress();
+}
+
+// Looked up when a line ends, so that the engine pays nothing for it.
+std::string_view LogLine::origin(char (&room)[kLongestThreadName]) noexcept {
+    const internal::HookInProgress* const hook = internal::HookInProgress::innermost();
+    // A hook that began within the scope of an In is the closer of the two.
+    if (depth != kNoModule && (!hook || hooksInProgress() <= depth)) return module;
+    return hook ? std::string_view(hook->component) : threadName(room);
+}
+
+void forgetThreadIds() noexcept { forks.fetch_add(1, std::memory_order_relaxed); }
+
+// System calls neither wait nor allocate. The name is not kept, because a thread may get one later.
+std::string_view LogLine::threadName(char (&room)[kLongestThreadName]) noexcept {
+    if (const unsigned now = forks.load(std::memory_order_relaxed); knownSince_ != now) {
+        thread_ = syscall(SYS_gettid);
+        inMain_ = thread_ == getpid();
+        knownSince_ = now;
+    }
+    if (inMain_) return "main";
+    constexpr std::size_t kKernelName = 15;
+    prctl(PR_GET_NAME, room);
+    // A thread that nobody named has the name of the thread that created it.
+    if (room[0] != '\0' && std::strncmp(room, program_invocation_short_name, kKernelName) != 0) return room;
+    constexpr std::string_view kind = "thread ";
+    char* const number = std::copy(kind.begin(), kind.end(), room);
+    return {room, static_cast<std::size_t>(std::to_chars(number, std::end(room), thread_).ptr - room)};
 }
 
 void LogLine::finish(bool flush) {
     // Not visible and nothing composed: the common case of debug messages, which must cost next to nothing.
-    if (!opened && !logMayReach(level)) return;
+    if (opened || logMayReach(level)) finishVisible(flush);
+}
+
+// Separate, so that a line that nobody sees does not pay for its stack.
+void LogLine::finishVisible(bool flush) {
     const bool composed = !buffer.text().empty();
     const bool kept = composed && level == Error && internal::KeptErrors::keep(buffer.text());
+    char room[kLongestThreadName];
     if (composed && !kept && logMayReach(level))
-        logSink().write(level, module, buffer.text(), flush, buffer.cut());
+        logSink().write(level, origin(room), buffer.text(), flush, buffer.cut());
     else if (flush)
         logSink().flush();
     buffer.clear();

@@ -8,6 +8,7 @@
 #include <ostream>
 #include <streambuf>
 #include <string>
+#include <string_view>
 
 namespace RTT {
 namespace detail {
@@ -34,6 +35,8 @@ private:
     std::size_t cut_ = 0;
 };
 
+constexpr std::size_t kLongestThreadName = 32;
+
 /** The line that one thread is composing. */
 struct LogLine {
     LogLine();
@@ -41,12 +44,29 @@ struct LogLine {
     std::ostream stream{&buffer};
     bool opened = false;  // something may have been put into the stream
     LoggerLevel level = Info;
-    char module[kLongestLogModule + 1] = "Logger";
+    /** Set by Logger::In, at this many hooks (HookInProgress) within each other. */
+    char module[kLongestLogModule + 1] = "";
+    static constexpr int kNoModule = -1;
+    int depth = kNoModule;
 
     void setModule(const char* name, std::size_t size) noexcept;
+    /** What comes in brackets, see Logger. May refer to `room`; valid until the thread leaves its hook or its In. */
+    std::string_view origin(char (&room)[kLongestThreadName]) noexcept;
     /** Hands the line to the sink, if it may be logged, and begins the next one with the same level. */
     void finish(bool flush);
+
+private:
+    [[gnu::noinline]] void finishVisible(bool flush);
+    std::string_view threadName(char (&room)[kLongestThreadName]) noexcept;
+
+    // Of the thread, since this many forks.
+    unsigned knownSince_ = 0;
+    long thread_ = 0;
+    bool inMain_ = false;
 };
+
+/** In a child of fork(), whose only thread has another id. */
+void forgetThreadIds() noexcept;
 
 /**
  * The line of the calling thread, made by its first use and destroyed with the thread. A real-time thread takes a line

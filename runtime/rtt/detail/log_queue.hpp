@@ -16,10 +16,11 @@ namespace detail {
 /** A line on its way through the queue. */
 struct LogRecord {
     std::int64_t time;  // ns since the reference time
+    std::int64_t wall;  // ns since 1970
     std::uint32_t cut;  // number of characters that were cut off
     std::uint16_t moduleSize, textSize;
     std::uint8_t level;
-    bool bare;  // as in LogParts
+    bool bare, forReceiver;  // as in LogParts
 };
 
 /**
@@ -36,7 +37,7 @@ struct LogRecord {
 class RTT_API LogQueue {
 public:
     static constexpr std::uint32_t kCells = 512;
-    static constexpr std::uint32_t kRoom = 224;           // bytes of text in a cell, which has 256 bytes
+    static constexpr std::uint32_t kRoom = 216;           // bytes of text in a cell, which has 256 bytes
     static constexpr std::uint32_t kLongest = 8 * kRoom;  // bytes of module and text together
 
     LogQueue();

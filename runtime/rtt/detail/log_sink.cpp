@@ -3,14 +3,12 @@
 #include <rtt/detail/log_sink.hpp>
 
 #include <rtt/detail/log_format.hpp>
-#include <rtt/os/own_file.hpp>
+#include <rtt/detail/log_line.hpp>
+#include <rtt/detail/log_settings.hpp>
 #include <rtt/os/real_time_thread.hpp>
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
-#include <cstdlib>
-#include <cstring>
 #include <ctime>
 #include <iostream>
 #include <pthread.h>
@@ -40,18 +38,27 @@ void LogSink::startup() {
     if (started_) return;
     started_ = true;
     reference_ = os::TimeService::Instance()->getTicks();
-    readEnvironment();
-    openFile();
+    const LogSettings settings = readLogSettings();
+    apply(settings);
+    LogNotes notes;
+    file_.open(settings.file, notes);
+    notes.insert(notes.end(), settings.notes.begin(), settings.notes.end());
     updateLimits();
-    announceStart();
+    announceStart(notes);
 }
 
 void LogSink::shutdown() {
     drainer_.stop();
+    {
+        std::lock_guard<std::mutex> lock(mutex_);
+        if (!started_) return;
+        drainLocked();
+        note(Info, "logging ends");
+    }
+    relay_.deliver();
     std::lock_guard<std::mutex> lock(mutex_);
-    if (!started_) return;
     drainLocked();
-    note(Info, "logging ends");
+    if (insteadOfFile_) writeToFile(relay_.takeBack());
     started_ = false;
     updateLimits();
     file_.close();
@@ -68,63 +75,44 @@ void LogSink::finish() {
         console_ = nullptr;
     }
     drain();
+    LogReceiver* const receiver = takeReceiver(nullptr, LogReceiverUse::BesideFile);
+    if (receiver) relay_.awaitUnusedBriefly(receiver);
 }
 
 void LogSink::beforeFork() {
     drainer_.beforeFork();
     mutex_.lock();
+    relay_.beforeFork();
 }
 
 void LogSink::afterFork(bool inChild) {
-    if (inChild) queue_.clear();  // the parent writes its lines
+    relay_.afterFork(inChild);
+    if (inChild) {
+        queue_.clear();  // the parent writes its lines
+        file_.leaveToParent();
+        forgetThreadIds();
+        receiving_ = insteadOfFile_ = false;
+        updateLimits();
+    }
     mutex_.unlock();
     drainer_.afterFork(inChild);
 }
 
-void LogSink::readEnvironment() {
-    const char* const text = std::getenv("ORO_LOGLEVEL");
-    levelGiven_ = false;
-    problem_.clear();
-    if (!text || !*text) return;
-    char* end = nullptr;
-    errno = 0;
-    const long number = std::strtol(text, &end, 10);
-    if (end == text || *end != '\0' || errno != 0) {
-        problem_ = std::string("environment variable ORO_LOGLEVEL is '") + text +
-                   "', expected a number from 0 (Never) to 6 (Debug)";
-        return;
-    }
-    levelGiven_ = true;
-    disabled_ = number < 0;
-    // The variable cannot select RealTime: more than Debug means Debug.
-    if (!disabled_) level_ = static_cast<LoggerLevel>(std::min<long>(number, Debug));
+void LogSink::apply(const LogSettings& settings) {
+    if (settings.level) disabled_ = *settings.level < 0;
+    if (settings.level && !disabled_) level_ = static_cast<LoggerLevel>(*settings.level);
+    if (settings.time && !timeGiven_) time_ = *settings.time;
+    colors_.begin(settings.colors);
+    utcOffset_.at(wallNow());  // for signal handlers
 }
 
-void LogSink::openFile() {
-    const char* const name = std::getenv("ORO_LOGFILE");
-    const bool given = name && *name;
-    const char* const opened = given ? name : "orocos.log";
-    // Logging that starts again must not delete earlier lines.
-    fileProblem_.clear();
-    if (!file_.open(opened, fileUsed_))
-        fileProblem_ = std::string("no log file: '") + opened + "' cannot be written: " + os::detail::openError(errno) +
-                       (given ? "" : "; ORO_LOGFILE names another one, /dev/null for none");
-    fileUsed_ = true;
-}
-
-void LogSink::announceStart() {
-    if (!problem_.empty())
-        note(Error, problem_);
-    else
-        note(Info, levelGiven_ ? "log level taken from environment variable ORO_LOGLEVEL"
-                               : "environment variable ORO_LOGLEVEL is not set");
-    if (!fileProblem_.empty()) note(Warning, fileProblem_);
-    if (file_.isShared()) note(Info, "the log file has lines of another process as well, which had it before");
+void LogSink::announceStart(const LogNotes& notes) {
+    for (const LogNote& found : notes) note(found.first, found.second);
     note(Info,
          "OROCOS version '" ORO_STRINGIFY(RTT_VERSION) "' compiled with " + compilerName() + ", running on GNU/Linux");
     note(Info, std::string("logging starts at level ") + levelTag(level()) + " (" + std::to_string(level()) + ")");
-    note(Info,
-         "reference time is " + std::to_string(referenceTime()) + " ticks; times in this log are seconds since then");
+    note(Info, "reference time is " + std::to_string(referenceTime()) + " ticks; times in this log are " +
+                   (time() == LogTime::Wall ? "local time" : "seconds since then"));
 }
 
 void LogSink::updateLimits() {
@@ -133,7 +121,7 @@ void LogSink::updateLimits() {
     int file = kNothing;
     if (started_ && !disabled_ && (level != RealTime || realTimeAllowed_)) {
         if (consoleEnabled_ && level != Never) console = level;
-        if (fileEnabled_ && file_.isOpen()) file = std::max<int>(level, Info);
+        if (fileEnabled_ && (file_.isOpen() || receiving_)) file = std::max<int>(level, Info);
     }
     consoleLimit_ = console;
     fileLimit_ = file;
@@ -174,37 +162,90 @@ void LogSink::allowRealTime(bool yes) {
     updateLimits();
 }
 
+void LogSink::setTime(LogTime time) {
+    std::lock_guard<std::mutex> lock(mutex_);
+    drainLocked();
+    timeGiven_ = true;
+    if (time_.exchange(time) == time || !started_) return;
+    note(Info, std::string("from now on, times in this log are ") +
+                   (time == LogTime::Wall ? "local time" : "seconds since the reference time"));
+}
+
+LogReceiver* LogSink::takeReceiver(LogReceiver* next, LogReceiverUse use) {
+    drain();  // lines of real-time threads
+    const bool delivered = relay_.deliver();
+    std::lock_guard<std::mutex> lock(mutex_);
+    drainLocked();
+    LogRelay::Rest rest;
+    LogReceiver* const previous = relay_.exchange(next, rest);
+    const std::size_t missing = rest.lines.size() + rest.lost;
+    if (!delivered && missing != 0)
+        note(Warning, std::to_string(missing) +
+                          " line(s) not given to the receiver of the log, which was too slow to be taken away");
+    writeToFile(rest.lines);
+    if (next && !relay_.isRunning()) note(Error, "the receiver of the log gets no lines: there is no thread for it");
+    receiving_ = next != nullptr;
+    insteadOfFile_ = next && use == LogReceiverUse::InsteadOfFile;
+    updateLimits();
+    flushLocked();
+    return previous;
+}
+
+LogReceiver* LogSink::setReceiver(LogReceiver* receiver, LogReceiverUse use) {
+    if (receiver) startDrain();
+    LogReceiver* const previous = takeReceiver(receiver, use);
+    if (previous && previous != receiver) relay_.awaitUnused(previous);
+    return previous;
+}
+
+void LogSink::notTaken(const LogParts& line) {
+    std::lock_guard<std::mutex> lock(mutex_);
+    compose(line);
+    file_.write(scratch_.data(), scratch_.size());
+    file_.flush();
+}
+
+void LogSink::warn(const std::string& text) { write(Warning, "Logger", text, true); }
+
 void LogSink::note(LoggerLevel level, const std::string& text) {
-    writeLocked({now(), level, "Logger", text});
+    writeLocked(stamped({level, "Logger", text}));
     flushLocked();
 }
 
 void LogSink::write(LoggerLevel level, std::string_view module, std::string_view text, bool flush, std::size_t cut) {
-    writeNow({0, level, module, text, cut}, flush);
+    writeNow({level, module, text, cut}, flush);
 }
 
 void LogSink::writeBare(LoggerLevel level, std::string_view text) {
-    if (logMayReach(level)) writeNow({0, level, {}, text, 0, /*bare=*/true}, true);
+    if (logMayReach(level)) writeNow({level, {}, text, 0, /*bare=*/true}, true);
+}
+
+LogParts LogSink::stamped(LogParts parts) const noexcept {
+    parts.time = now();
+    if (showsWallTime()) parts.wall = wallNow();
+    return parts;
 }
 
 void LogSink::writeNow(LogParts parts, bool flush) {
+    parts.forReceiver = !relay_.inThread();
     if (os::inRealTimeThread() && !finished_.load(std::memory_order_relaxed)) return enqueue(parts);
     std::lock_guard<std::mutex> lock(mutex_);
     drainLocked();
-    parts.time = now();
-    writeLocked(parts);
+    writeLocked(stamped(parts));
     if (flush || finished_) flushLocked();
 }
 
 void LogSink::enqueue(LoggerLevel level, std::string_view module, std::string_view text, std::size_t cut) noexcept {
-    enqueue({0, level, module, text, cut});
+    enqueue({level, module, text, cut});
 }
 
 void LogSink::enqueue(const LogParts& parts) noexcept {
     LogRecord record{};
     record.time = now();
+    if (showsWallTime()) record.wall = wallNow();
     record.level = static_cast<std::uint8_t>(parts.level);
     record.bare = parts.bare;
+    record.forReceiver = parts.forReceiver;
     record.moduleSize = static_cast<std::uint16_t>(std::min(parts.module.size(), kLongestLogModule));
     const std::size_t size = std::min<std::size_t>(parts.text.size(), LogQueue::kLongest - record.moduleSize);
     record.textSize = static_cast<std::uint16_t>(size);
@@ -222,12 +263,14 @@ void LogSink::drain() {
 namespace {
 
 LogParts partsOf(const LogRecord& record, const char* bytes) {
-    return {record.time,
-            static_cast<LoggerLevel>(record.level),
+    return {static_cast<LoggerLevel>(record.level),
             std::string_view(bytes, record.moduleSize),
             std::string_view(bytes + record.moduleSize, record.textSize),
             record.cut,
-            record.bare};
+            record.bare,
+            record.forReceiver,
+            record.time,
+            record.wall};
 }
 
 /** The text about lost lines; uses a buffer, for signal handlers. */
@@ -247,7 +290,7 @@ void LogSink::drainLocked() {
         writeLocked(partsOf(record, bytes));
     if (const std::uint32_t lost = queue_.takeLost()) {
         char text[96];
-        writeLocked({now(), Warning, "Logger", lostText(text, lost)});
+        writeLocked(stamped({Warning, "Logger", lostText(text, lost)}));
     }
 }
 
@@ -263,28 +306,53 @@ void LogSink::drainDying() noexcept {
     char bytes[LogQueue::kLongest];
     char text[96];
     const bool toConsole = !console_ || console_ == &std::cerr || console_ == &std::clog;
+    const TimeStyle style{time() == LogTime::Wall, utcOffset_.last()};
+    const auto toFile = [&](const LogParts& parts) {
+        composeLine(parts, style, [this](const char* part, std::size_t size) { file_.add(part, size); });
+    };
     const auto show = [&](const LogParts& parts) {
         if (toConsole && reachesConsole(parts.level))
-            composeLine(parts, [](const char* part, std::size_t size) { writeAll(STDERR_FILENO, part, size); });
-        if (reachesFile(parts.level))
-            composeLine(parts, [this](const char* part, std::size_t size) { file_.write(part, size); });
+            composeLine(parts, style, [](const char* part, std::size_t size) { writeAll(STDERR_FILENO, part, size); });
+        if (reachesFile(parts.level)) toFile(parts);
     };
+    relay_.rescue(toFile);
     while (queue_.take(record, bytes)) show(partsOf(record, bytes));
-    if (const std::uint32_t lost = queue_.takeLost()) show({now(), Warning, "Logger", lostText(text, lost)});
+    if (const std::uint32_t lost = queue_.takeLost()) show(stamped({Warning, "Logger", lostText(text, lost)}));
     file_.flush();
     mutex_.unlock();
 }
 
+void LogSink::compose(const LogParts& parts) {
+    const bool wall = time() == LogTime::Wall;
+    scratch_.clear();
+    composeLine(parts, {wall, wall ? utcOffset_.at(parts.wall) : 0},
+                [this](const char* part, std::size_t size) { scratch_.append(part, size); });
+}
+
 void LogSink::writeLocked(const LogParts& parts) {
     if (!logMayReach(parts.level)) return;
-    scratch_.clear();
-    composeLine(parts, [this](const char* part, std::size_t size) { scratch_.append(part, size); });
+    compose(parts);
     if (reachesConsole(parts.level)) {
         if (recent_.size() == kRecentLines) recent_.pop_front();
         recent_.emplace_back(scratch_, 0, scratch_.size() - 1);
-        (console_ ? *console_ : std::cerr).write(scratch_.data(), static_cast<std::streamsize>(scratch_.size()));
+        std::ostream& console = console_ ? *console_ : std::cerr;
+        const bool painted = !parts.bare && colors_.on(console);
+        if (painted) LogColors::paint(scratch_, parts.level, painted_);
+        // At once, because other threads may use the stream as well.
+        const std::string& line = painted ? painted_ : scratch_;
+        console.write(line.data(), static_cast<std::streamsize>(line.size()));
     }
-    if (reachesFile(parts.level)) file_.write(scratch_.data(), scratch_.size());
+    if (!reachesFile(parts.level)) return;
+    const bool taken = receiving_ && parts.forReceiver && relay_.put(parts, insteadOfFile_);
+    if (!taken || !insteadOfFile_) file_.write(scratch_.data(), scratch_.size());
+}
+
+void LogSink::writeToFile(const LogRelay::Lines& lines) {
+    for (const LogCopy& line : lines) {
+        if (!line.only) continue;
+        compose(line.line());
+        file_.write(scratch_.data(), scratch_.size());
+    }
 }
 
 void LogSink::flush() {
@@ -295,9 +363,7 @@ void LogSink::flush() {
 void LogSink::flushLocked() {
     if (consoleLimit_ != kNothing) (console_ ? *console_ : std::cerr).flush();
     file_.flush();
-    const int failure = file_.takeFailure();
-    if (failure != 0)
-        note(Warning, std::string("the log file lacks lines that cannot be written: ") + std::strerror(failure));
+    if (const std::string failure = file_.takeFailure(); !failure.empty()) note(Warning, failure);
 }
 
 std::string LogSink::takeLine() {

@@ -4,10 +4,13 @@
 #define RTT_DETAIL_LOG_SINK_HPP
 
 #include <rtt/Logger.hpp>
+#include <rtt/detail/log_clock.hpp>
+#include <rtt/detail/log_colors.hpp>
 #include <rtt/detail/log_drain.hpp>
 #include <rtt/detail/log_file.hpp>
 #include <rtt/detail/log_format.hpp>
 #include <rtt/detail/log_queue.hpp>
+#include <rtt/detail/log_relay.hpp>
 
 #include <atomic>
 #include <deque>
@@ -20,15 +23,16 @@ namespace RTT {
 namespace detail {
 
 /**
- * Where finished lines go: console, file and the list for getLogLine(). All functions are thread-safe.
+ * Where finished lines go: console, file, LogReceiver and the list for getLogLine(). All functions are thread-safe.
  *
- *   write() ─┬─ thread is not real-time ─► mutex ─► queue is emptied ─► console, file
- *            └─ real-time ─► queue ─► LogDrain wakes up ─► drain() ─► mutex ─► console, file
+ *   write() ─┬─ thread is not real-time ─► mutex ─► queue is emptied ─► console, file, LogRelay
+ *            └─ real-time ─► queue ─► LogDrain wakes up ─► drain() ─► mutex ─► console, file, LogRelay
  *
  * docs/design/logging.md says why.
  */
-class LogSink {
+class LogSink : private LogRelay::Owner {
 public:
+    LogSink() : relay_(*this) {}
     void startup();
     void shutdown();
 
@@ -58,6 +62,10 @@ public:
     void enableConsole(bool yes);
     void enableFile(bool yes);
     void allowRealTime(bool yes);
+    void setTime(LogTime time);
+    LogTime time() const noexcept { return time_.load(std::memory_order_relaxed); }
+    /** See Logger. Waits for the previous one. */
+    LogReceiver* setReceiver(LogReceiver* receiver, LogReceiverUse use);
     bool reachesConsole(LoggerLevel level) const noexcept {
         return level != Never && level <= consoleLimit_.load(std::memory_order_relaxed);
     }
@@ -70,17 +78,24 @@ public:
     void setReferenceTime(os::TimeService::ticks ticks) noexcept { reference_.store(ticks, std::memory_order_relaxed); }
 
 private:
-    void readEnvironment();
-    void openFile();
-    void announceStart();
+    void apply(const LogSettings& settings);
+    void announceStart(const LogNotes& notes);
     void updateLimits();
+    void notTaken(const LogParts& line) override;
+    void warn(const std::string& text) override;
     void note(LoggerLevel level, const std::string& text);
+    LogReceiver* takeReceiver(LogReceiver* next, LogReceiverUse use);
+    LogParts stamped(LogParts parts) const noexcept;
     // These two set the time of the line.
     void enqueue(const LogParts& parts) noexcept;
     void writeNow(LogParts parts, bool flush);
     void writeLocked(const LogParts& parts);
+    void writeToFile(const LogRelay::Lines& lines);
+    void compose(const LogParts& parts);
     void drainLocked();
     void flushLocked();
+    /** Somebody reads the wall time of lines. */
+    bool showsWallTime() const noexcept { return time() == LogTime::Wall || relay_.isRunning(); }
     nsecs now() const noexcept { return os::TimeService::Instance()->getTicks(referenceTime()); }
 
     static constexpr int kNothing = -1;
@@ -88,10 +103,12 @@ private:
     std::atomic<int> consoleLimit_{kNothing};
     std::atomic<int> fileLimit_{kNothing};
     std::atomic<LoggerLevel> level_{Warning};
+    std::atomic<LogTime> time_{LogTime::Relative};
     std::atomic<os::TimeService::ticks> reference_{0};
     std::atomic<bool> finished_{false};
     LogQueue queue_;
     LogDrain drainer_;
+    LogRelay relay_;
 
     std::mutex mutex_;  // for everything below, and for writing
     bool started_ = false;
@@ -99,14 +116,15 @@ private:
     bool consoleEnabled_ = true;
     bool fileEnabled_ = true;
     bool realTimeAllowed_ = false;
+    bool timeGiven_ = false;           // by setTime()
     std::ostream* console_ = nullptr;  // null: std::cerr
     LogFile file_;
-    bool fileUsed_ = false;
+    LogColors colors_;
+    UtcOffset utcOffset_;
+    bool receiving_ = false;
+    bool insteadOfFile_ = false;  // the receiver
     std::deque<std::string> recent_;
-    std::string scratch_;
-    std::string problem_;  // found in the environment
-    std::string fileProblem_;
-    bool levelGiven_ = false;
+    std::string scratch_, painted_;
 };
 
 /** The only sink. Never destroyed, because static objects log when the process ends. */

@@ -77,6 +77,17 @@ struct SlaveActivity::Leave {
     }
 };
 
+namespace {
+/** A thread uses an object while this exists. */
+struct Use {
+    explicit Use(const void* what) : place(internal::Presence::enter(what)) {}
+    ~Use() { internal::Presence::leave(place); }
+    Use(const Use&) = delete;
+    Use& operator=(const Use&) = delete;
+    internal::Presence::Place& place;
+};
+}  // namespace
+
 SlaveActivity::SlaveActivity(base::ActivityInterface* master, base::RunnableInterface* r)
     : master_(master),
       masterGate_(master ? master->gate() : nullptr),
@@ -98,7 +109,9 @@ SlaveActivity::~SlaveActivity() {
     stop();
     // Waits for an execution that has not ended in time.
     waitForExecution(os::detail::kForever);
+    (void)internal::Presence::Waiter(&message_).wait(os::detail::kForever);
     internal::Presence::forget(this);
+    internal::Presence::forget(&message_);
     message_->disconnect();
 }
 
@@ -227,6 +240,9 @@ void SlaveActivity::servePending() {
 }
 
 bool SlaveActivity::execute() {
+    // Until this thread has looked for triggers: a component that ends itself in the execution leaves its activity to
+    // another thread, which destroys it after that.
+    const Use use(&message_);
     internal::Presence::Place* const place = enter();
     if (!place) return false;
     bool active = false;
@@ -252,8 +268,33 @@ void SlaveActivity::executeTrigger() {
         if (open_) work(base::RunnableInterface::Trigger);
         return;
     }
+    if (inTurn_ && awaitsTurn()) return;
     pending_ = true;
     servePending();
+}
+
+void SlaveActivity::setInTurn(bool inTurn) {
+    inTurn_ = inTurn;
+    // The messages that awaited the turn are in the queue, so the runner finds them.
+    if (!inTurn && runner && runner->hasWork()) trigger();
+}
+
+bool SlaveActivity::serve() {
+    const Use use(&message_);  // as in execute()
+    internal::Presence::Place* const place = enter();
+    if (!place) return false;
+    bool active = false;
+    {
+        const Leave atEnd{*this, *place};
+        active = open_;
+        if (active && runner && runner->hasWork()) work(base::RunnableInterface::Trigger);
+    }
+    if (pending_) servePending();
+    return active;
+}
+
+bool SlaveActivity::isSlaveOf(const base::ActivityInterface& master) const {
+    return masterGate_ && masterGate_ == master.gate();
 }
 
 bool SlaveActivity::trigger() {
@@ -272,6 +313,7 @@ bool SlaveActivity::trigger() {
 }
 
 bool SlaveActivity::timeout() {
+    if (inTurn_) return open_;
     // The master cannot be destroyed in its own thread before this returns, so its destructor need not wait for the
     // execution.
     const auto isMaster = [](ActivityInterface& master) {

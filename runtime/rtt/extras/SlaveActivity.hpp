@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <utility>
 
 namespace RTT {
@@ -20,6 +21,8 @@ namespace extras {
  * With a master, timeout(), which TaskContext::trigger() calls, does the same in the thread of the master, and
  * trigger() makes the engine of the master execute work(Trigger). A master may be destroyed before its slaves; these
  * can still be executed and stopped, but neither triggered nor started.
+ *
+ * Code that executes slaves in an order may have their triggers wait for their turn, see setInTurn().
  */
 class RTT_API SlaveActivity : public base::ActivityInterface {
 public:
@@ -63,6 +66,21 @@ public:
     bool isSelf() const override;
     /** After a thread entered, execute() in other threads is refused, as during an execution. */
     Direct beginDirect() override;
+    /**
+     * While true, the slave is executed in its turn only: timeout() requests nothing, and if the master is periodic,
+     * the engine of that leaves messages and callbacks of the slave to the next execute() or serve(), unless the
+     * thread of the master waits for something, which may depend on them. For code that calls one of the two in each
+     * cycle of the master. False, as at first, triggers the slave if there is work left. Any thread; real-time safe.
+     */
+    void setInTurn(bool inTurn);
+    /** Executes the messages and callbacks of the slave in the calling thread, if there are any, but no cycle. False as
+        for execute(). */
+    bool serve();
+    bool hasMaster() const { return masterGate_ != nullptr; }
+    /** True if `master` is the master, even if either was destroyed. Real-time safe. */
+    bool isSlaveOf(const base::ActivityInterface& master) const;
+    /** The name of the component that the master executes; empty if there is none. Not real-time safe. */
+    std::string masterName() const;
     /** Refused while there is a master that executes it. */
     Direct beginInStead() override;
     void endDirect() override;
@@ -92,6 +110,7 @@ private:
     bool isExecutor() const;
     void executeOnce();
     void servePending();
+    bool awaitsTurn() const;
     bool waitForExecution(nsecs deadline) const;
 
     base::ActivityInterface* const master_;  // used only by ofMaster()
@@ -106,6 +125,7 @@ private:
     std::atomic<int> executor_{0}, owner_{0}, updater_{0};
     std::atomic<std::uint32_t> handover_{0};  // locked while owner_ changes
     std::atomic<bool> pending_{false};        // work(Trigger) is due
+    std::atomic<bool> inTurn_{false};         // see setInTurn()
     Place* direct_ = nullptr;                 // of the thread that makes a direct call
     TriggerMessage* message_;                 // shared with the queue of the master's engine
 };

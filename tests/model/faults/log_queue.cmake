@@ -4,7 +4,7 @@ set(file rtt/detail/log_queue.cpp)
 set(header rtt/detail/log_queue.hpp)
 under_test(${file} ${header})
 adapt(${header} [=[kCells = 512;]=] [=[kCells = 4;]=])
-adapt(${header} [=[kRoom = 224;]=] [=[kRoom = 2;]=])
+adapt(${header} [=[kRoom = 216;]=] [=[kRoom = 2;]=])
 adapt(${header} [=[std::int64_t time;]=] [=[model::Plain<std::int64_t> time;]=])
 faulty_value(log_queue_relaxed_put ${file}
   [=[first.sequence.store(position + 1, @{std::memory_order_release}@);]=] [=[std::memory_order_relaxed]=])

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright Oroforge contributors
-set(depth 1)
+set(depth 2)
 set(threads 3)
 include(${CMAKE_CURRENT_LIST_DIR}/small_presence.cmake)
 set(file rtt/extras/SlaveActivity.cpp)

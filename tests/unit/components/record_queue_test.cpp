@@ -35,6 +35,21 @@ TEST(RecordQueue, KeepsTheOrderAcrossItsRings) {
     EXPECT_FALSE(queue.empty());
 }
 
+TEST(RecordQueue, DropsRecordsAndTellsHowTheyBegin) {
+    RecordQueue queue(1);
+    EXPECT_TRUE(push(queue, "one"));
+    EXPECT_TRUE(push(queue, std::string(3000, 'x')));
+    queue.makeRoom(2 * queue.capacity());
+    EXPECT_TRUE(push(queue, "three"));
+    char begin[5] = "....";
+    EXPECT_TRUE(queue.drop(begin, 4));
+    EXPECT_EQ("one.", std::string(begin));
+    EXPECT_TRUE(queue.drop(begin, 4));
+    EXPECT_EQ("xxxx", std::string(begin));
+    EXPECT_EQ("three", pop(queue));
+    EXPECT_FALSE(queue.drop(begin, 4));
+}
+
 TEST(RecordQueue, NothingIsLostWhileItGrowsBetweenTwoThreads) {
     constexpr int kRecords = 20000;
     RecordQueue queue(1);

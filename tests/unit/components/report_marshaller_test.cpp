@@ -82,7 +82,7 @@ TEST_F(ReportMarshaller, IsAddedToTheTextOfAConsole) {
     cycle();
     machine.gain = 2;
     cycle();
-    EXPECT_EQ(" TimeStamp Machine.gain\n 0 1.5 \n 0.5 \n 1 2 \n", report());
+    EXPECT_EQ(" TimeStamp Machine.gain\n 0 1.5 \n 0.5 nan \n 1 2 \n", report());
     EXPECT_EQ("TimeStamp=0 Machine.gain=1.5 \nTimeStamp=0.5 \nTimeStamp=1 Machine.gain=2 \n", body);
 }
 

@@ -96,10 +96,10 @@ TEST_F(ReportPolicy, OnlyNewDataLeavesOutWhatIsAsBefore) {
     EXPECT_EQ(
         " TimeStamp Machine.speed Machine.place.x Machine.place.y Machine.gain\n"
         " 0 1  0 0 1.5 \n"
-        " 0.5  3 4 \n"
-        " 1 7 \n"
-        " 1.5 \n"
-        " 2 1 \n",
+        " 0.5 nan 3 4 nan \n"
+        " 1 nan nan nan 7 \n"
+        " 1.5 nan nan nan nan \n"
+        " 2 1 nan nan nan \n",
         report());
 }
 
@@ -113,7 +113,7 @@ TEST_F(ReportPolicy, OnlyNewDataOfAReporterThatDataWakes) {
     ASSERT_TRUE(reporter->start());
     machine.place.write({3, 4});
     machine.speed.write(5);
-    EXPECT_EQ(" TimeStamp Machine.speed Machine.place.x Machine.place.y\n 0  3 4 \n 0 5 \n", report());
+    EXPECT_EQ(" TimeStamp Machine.speed Machine.place.x Machine.place.y\n 0 nan 3 4 \n 0 5 nan nan \n", report());
 }
 
 TEST_F(ReportPolicy, EachStartBeginsANewReport) {

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 // A reporter in its own thread, while others write, change what is reported, and start and stop it.
+#include "repeated.hpp"
 #include "reporter_fixture.hpp"
 
 #include <rtt/Activity.hpp>
+#include <rtt/Attribute.hpp>
 #include <rtt/OperationCaller.hpp>
 #include <rtt/internal/GlobalEngine.hpp>
+#include <support/temp_dir.hpp>
 
 #include <algorithm>
 #include <atomic>
@@ -17,26 +20,6 @@
 namespace {
 
 using namespace components_test;
-
-/** Calls a function again and again. */
-class Repeated {
-public:
-    explicit Repeated(std::function<void()> work)
-        : thread_([this, work] {
-              while (!ended_) {
-                  work();
-                  std::this_thread::yield();
-              }
-          }) {}
-    ~Repeated() {
-        ended_ = true;
-        thread_.join();
-    }
-
-private:
-    std::atomic<bool> ended_{false};
-    std::thread thread_;
-};
 
 class ReportThreads : public Reporting {
 protected:

@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include <reporting/record.hpp>
 #include <reporting/row_writer.hpp>
+#include <reporting/text_sink.hpp>
 #include <support/temp_dir.hpp>
 
 #include <rtt/Logger.hpp>
@@ -15,8 +16,10 @@
 #include <iostream>
 #include <memory>
 #include <mutex>
+#include <new>
 #include <sstream>
 #include <string>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <thread>
 #include <unistd.h>
@@ -32,6 +35,31 @@ Record row(std::int64_t number) {
     record.value(Tag::Signed, number);
     return record;
 }
+
+/** A writer of rows of one number. */
+class Writer {
+public:
+    explicit Writer(std::unique_ptr<TextTarget> target) : writer_("writer", rowsOf(std::move(target)), kRoom) {
+        Field report;
+        report.kind = Field::Kind::Group;
+        report.parts.emplace_back();
+        EXPECT_TRUE(writer_.pushFields(report, row(0)));
+    }
+    bool push(const Record& record) { return writer_.push(record); }
+    void finish() { writer_.finish(); }
+    unsigned long lost() const { return writer_.lost(); }
+
+private:
+    static std::unique_ptr<RowSink> rowsOf(std::unique_ptr<TextTarget> target) {
+        auto sink = textSink(std::move(target), TextFormat::Columns);
+        RowOptions options;
+        options.header = false;
+        sink->prepare(options);
+        return sink;
+    }
+
+    RowWriter writer_;
+};
 
 /** Keeps its writer waiting until it is opened; may fail then. */
 class Gate : public TextTarget {
@@ -67,7 +95,7 @@ private:
 TEST(RowWriter, WritesEverythingBeforeItEnds) {
     for (int round = 0; round < 50; ++round) {
         std::ostringstream text, expected;
-        RowWriter writer("writer", useStream(text), kRoom, 6);
+        Writer writer(useStream(text));
         for (int i = 0; i < round * 7; ++i) {
             ASSERT_TRUE(writer.push(row(i)));
             expected << ' ' << i << " \n";
@@ -81,7 +109,7 @@ TEST(RowWriter, WritesEverythingBeforeItEnds) {
 TEST(RowWriter, RowsComeOutByThemselves) {
     std::string text;
     auto* const gate = new Gate(text, true);
-    RowWriter writer("writer", std::unique_ptr<TextTarget>(gate), kRoom, 6);
+    Writer writer{std::unique_ptr<TextTarget>(gate)};
     gate->open();
     for (int i = 0; i < 20; ++i) {
         ASSERT_TRUE(writer.push(row(i)));
@@ -97,7 +125,7 @@ TEST(RowWriter, RowsComeOutByThemselves) {
 TEST(RowWriter, RowsThatFindNoRoomAreCounted) {
     std::string text;
     auto* const gate = new Gate(text, true);
-    RowWriter writer("writer", std::unique_ptr<TextTarget>(gate), kRoom, 6);
+    Writer writer{std::unique_ptr<TextTarget>(gate)};
     const Record record = row(1);
     unsigned long refused = 0, taken = 0;
     while (refused < 100) ++(writer.push(record) ? taken : refused);
@@ -113,7 +141,7 @@ TEST(RowWriter, SaysWhatItWaitsForAtTheEnd) {
     RTT::Logger::Instance()->setStdStream(log);
     std::string text;
     auto* const gate = new Gate(text, true);
-    RowWriter writer("writer", std::unique_ptr<TextTarget>(gate), kRoom, 6);
+    Writer writer{std::unique_ptr<TextTarget>(gate)};
     ASSERT_TRUE(writer.push(row(1)));
     std::thread opener([gate] {
         std::this_thread::sleep_for(std::chrono::milliseconds(2300));
@@ -132,12 +160,84 @@ TEST(RowWriter, SaysWhatItWaitsForAtTheEnd) {
 TEST(RowWriter, NothingFollowsALineThatCouldNotBeWritten) {
     std::string text;
     auto* const gate = new Gate(text, false);
-    RowWriter writer("writer", std::unique_ptr<TextTarget>(gate), kRoom, 6);
+    Writer writer{std::unique_ptr<TextTarget>(gate)};
     gate->open();
     for (int i = 0; i < 10; ++i) ASSERT_TRUE(writer.push(row(i)));
     writer.finish();
     EXPECT_EQ(10u, writer.lost());
     EXPECT_EQ("", text);
+}
+
+/** Keeps rows, and throws at one of its functions. */
+class Faulty : public RowSink {
+public:
+    enum At { Fields, Row, Write };
+    explicit Faulty(At at) : at_(at) {}
+
+    void fields(const Field&, const char*, std::size_t) override { reach(Fields); }
+    void row(const char*, std::size_t) override {
+        if (rows_ == 3) reach(Row);
+        ++rows_;
+    }
+    std::size_t waiting() const override { return 0; }
+    std::string write() override {
+        if (rows_ >= 3) reach(Write);
+        return {};
+    }
+    unsigned long rows() const override { return rows_; }
+    std::string name() const override { return "the faulty sink"; }
+
+private:
+    void reach(At at) const {
+        if (at == at_) throw std::bad_alloc();
+    }
+    const At at_;
+    unsigned long rows_ = 0;
+};
+
+TEST(RowWriter, AllRowsThatWaitAreLostWhenASinkThrows) {
+    for (const Faulty::At at : {Faulty::Fields, Faulty::Row, Faulty::Write}) {
+        int failures = 0;
+        RowWriter writer("writer", std::make_unique<Faulty>(at), kRoom, [&failures] { ++failures; });
+        for (int i = 0; i < 5; ++i) ASSERT_TRUE(writer.push(row(i)));
+        ASSERT_TRUE(writer.pushFields(Field(), row(0)));  // which is freed in any case
+        for (int i = 0; i < 5; ++i) ASSERT_TRUE(writer.push(row(i)));
+        writer.finish();
+        EXPECT_TRUE(writer.failed());
+        EXPECT_EQ(1, failures);
+        EXPECT_EQ(10u, writer.lost()) << at;
+    }
+}
+
+/** Needs a millisecond for a row, and has not so much patience at the end. */
+class Hasty : public RowSink {
+public:
+    explicit Hasty(unsigned long& taken) : taken_(taken) {}
+
+    void fields(const Field&, const char*, std::size_t) override {}
+    void row(const char*, std::size_t) override {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        ++taken_;
+    }
+    std::size_t waiting() const override { return 0; }
+    std::string write() override { return {}; }
+    unsigned long rows() const override { return 0; }
+    std::chrono::milliseconds patience() const override { return std::chrono::milliseconds(50); }
+    std::string name() const override { return "the hasty sink"; }
+
+private:
+    unsigned long& taken_;
+};
+
+TEST(RowWriter, RowsThatASinkHasNoPatienceForAreLost) {
+    unsigned long taken = 0;
+    RowWriter writer("writer", std::make_unique<Hasty>(taken), kRoom);
+    for (int i = 0; i < 3000; ++i) ASSERT_TRUE(writer.push(row(i)));
+    writer.finish();
+    EXPECT_FALSE(writer.failed());
+    EXPECT_EQ(3000u, taken + writer.lost());
+    EXPECT_GT(writer.lost(), 0u);
+    EXPECT_GT(taken, 0u);
 }
 
 TEST(RowWriter, FileThatCannotBeOpenedSaysWhy) {
@@ -179,6 +279,20 @@ TEST_F(ReportFile, BelongsToOneReporterAtATime) {
     EXPECT_EQ("", error_);
 }
 
+TEST_F(ReportFile, EndsAtAWholeRowEvenIfRowsHaveLineEnds) {
+    const std::unique_ptr<TextTarget> file = openFile(name_, error_);
+    ASSERT_NE(nullptr, file) << error_;
+    rlimit before{};
+    getrlimit(RLIMIT_FSIZE, &before);
+    const rlimit small{14, before.rlim_max};  // ends behind the first line of the second row
+    std::signal(SIGXFSZ, SIG_IGN);
+    setrlimit(RLIMIT_FSIZE, &small);
+    const std::string text = "1,\"a\nb\"\n2,\"c\nd\"\n";
+    EXPECT_EQ("File too large", file->write(text.data(), text.size()));
+    setrlimit(RLIMIT_FSIZE, &before);
+    EXPECT_EQ("1,\"a\nb\"\n", oroforge::test::readFile(name_));
+}
+
 TEST_F(ReportFile, OfADeviceBelongsToAll) {
     const std::unique_ptr<TextTarget> one = openFile("/dev/null", error_), other = openFile("/dev/null", error_);
     EXPECT_TRUE(one && other) << error_;
@@ -205,7 +319,7 @@ private:
 
 TEST(RowWriter, WritingToWhatTakesNoMoreIsAnErrorAndNoSignal) {
     std::string text;
-    RowWriter writer("writer", std::make_unique<Signals>(text), kRoom, 6);
+    Writer writer(std::make_unique<Signals>(text));
     ASSERT_TRUE(writer.push(row(1)));
     writer.finish();
     EXPECT_EQ("SIGPIPE SIGXFSZ ", text);
@@ -223,7 +337,7 @@ TEST(RowWriter, APipeWithoutReaderIsAnErrorInTheLog) {
     ASSERT_EQ("", error);
     std::ostringstream log;
     RTT::Logger::Instance()->setStdStream(log);
-    RowWriter writer("writer", std::move(target), kRoom, 6);
+    Writer writer(std::move(target));
     ASSERT_TRUE(writer.push(row(1)));
     writer.finish();
     RTT::Logger::Instance()->setStdStream(std::cerr);

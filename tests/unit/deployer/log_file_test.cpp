@@ -43,19 +43,37 @@ protected:
     }
 };
 
-TEST_F(LogFileOfDeployers, SecondOneDoesNotEmptyIt) {
+TEST_F(LogFileOfDeployers, EachHasItsOwn) {
     ChildProcess first(lasting({"First"}));
     ASSERT_TRUE(waitForLog());
-    const std::string before = log().substr(0, 60);
-    (void)run(command({"Second"}));
-    EXPECT_THAT(log(), HasSubstr("the log file has lines of another process as well"));
+    ChildProcess second(lasting({"Second"}));
+    const std::string own = directory_ / ("orocos-" + std::to_string(second.pid()) + ".log");
+    for (int times = 0; times != 400 && !std::filesystem::exists(own); ++times)
+        std::this_thread::sleep_for(std::chrono::milliseconds(25));
+    second.send(SIGTERM);
+    (void)second.finish();
+    EXPECT_THAT(readFile(own), HasSubstr("log file 'orocos.log' is being written by another process"));
+    EXPECT_EQ(1, count(readFile(own), "logging ends"));
+    EXPECT_EQ(1, count(log(), "logging starts at level"));
+    EXPECT_EQ(0, count(log(), "logging ends"));
     first.send(SIGTERM);
     (void)first.finish();
-    EXPECT_EQ(before, log().substr(0, before.size()));
-    EXPECT_EQ(2, count(log(), "logging starts at level"));
-    EXPECT_EQ(2, count(log(), "logging ends"));
-    (void)run(command({"Later"}));  // alone: begins anew
+    EXPECT_EQ(1, count(log(), "logging ends"));
+    (void)run(command({"Later"}));
     EXPECT_EQ(1, count(log(), "logging starts at level"));
+    EXPECT_EQ(1, count(readFile(directory_ / "orocos.log.1"), "logging starts at level"));
+}
+
+TEST_F(LogFileOfDeployers, LinesHaveTheTimeOnRequest) {
+    for (const std::string value : {"wall", "relative"}) {
+        (void)run(command({"--log-time=" + value}));
+        const std::string wall = "[0-9]+-[0-9]+-[0-9]+T[0-9:]+\\.[0-9]+[+-][0-9]+:[0-9]+ \\[";
+        EXPECT_THAT(log(), ContainsRegex("^" + (value == "wall" ? wall : "[0-9]+\\.[0-9]+ \\["))) << value;
+    }
+    const Outcome wrong = run(command({"--log-time=wal"}));
+    EXPECT_EQ(255, wrong.status);
+    EXPECT_THAT(wrong.err,
+                HasSubstr("unknown value 'wal' of --log-time, expected 'relative' or 'wall'; did you mean 'wall'?"));
 }
 
 TEST_F(LogFileOfDeployers, UnwritableOneIsWarnedOf) {

@@ -93,7 +93,7 @@ class Prompt(LuaCase):
     def test_stays_below_the_log(self):
         program = self.open()
         program.send("rtt.logl('Error', 'a line of the log')\r")
-        program.wait_for("[Logger] a line of the log\n>")
+        program.wait_for("[rttlua] a line of the log\n>")
         self.assertEqual("2", program.type("=2", PROMPT))
 
 

@@ -55,7 +55,7 @@ TEST_P(LuaScripts, Pass) {
     RTT::OperationCaller<bool(const std::string&)> run(deployer.provides("Lua")->getOperation("exec_file"));
     EXPECT_TRUE(run(std::string(LUA_SCRIPTS) + "/test_" + GetParam() + ".lua")) << log_.str();
     if (GetParam() == "module") {
-        EXPECT_THAT(log_.str(), testing::HasSubstr("[ Warning][Logger] a warning 4"));
+        EXPECT_THAT(log_.str(), testing::HasSubstr("] a warning 4"));
         EXPECT_THAT(log_.str(), testing::HasSubstr("a line of 3 parts"));
     }
     deployer.kickOutAll();

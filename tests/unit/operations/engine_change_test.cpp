@@ -259,11 +259,16 @@ TEST_P(OwnStep, MayDestroyTheComponent) {
         if (where == "sequential") {
             ASSERT_TRUE(component->setActivity(new extras::SequentialActivity()));
         }
-        component->in_update = where == "update";
+        if (where == "slave") {
+            ASSERT_TRUE(component->setActivity(new extras::SlaveActivity()));
+        }
+        component->in_update = where == "update" || where == "slave";
         component->addOperation("end", &Suicide::end, component, OwnThread);
         OperationCaller<void()> end(component->getOperation("end"), internal::GlobalEngine::Instance());
         ASSERT_TRUE(component->start());
-        if (where != "update") {
+        if (where == "slave") {
+            component->getActivity()->execute();
+        } else if (where != "update") {
             EXPECT_EQ(end.send().collect(), SendSuccess);
         }
         ASSERT_TRUE(eventually([&] { return gone.load(); }));
@@ -274,7 +279,7 @@ TEST_P(OwnStep, MayDestroyTheComponent) {
     ASSERT_TRUE(internal::GlobalEngine::Instance()->process(&last));
     EXPECT_TRUE(eventually([&] { return last.executed == 1; }));
 }
-INSTANTIATE_TEST_SUITE_P(Where, OwnStep, testing::Values("operation", "update", "sequential"),
+INSTANTIATE_TEST_SUITE_P(Where, OwnStep, testing::Values("operation", "update", "sequential", "slave"),
                          [](const auto& info) { return std::string(info.param); });
 
 }  // namespace

@@ -166,8 +166,11 @@ TEST_F(RealTimeLog, AChildOfTheProcessLogsItsOwnLinesOnly) {
 TEST_F(RealTimeLog, LinesCanBeFetchedAtOnce) {
     while (!logger.getLogLine().empty()) {
     }
-    inRealTimeThread([] { log(Error) << "fetched" << endlog(); });
-    EXPECT_THAT(logger.getLogLine(), testing::EndsWith("[Logger] fetched"));
+    inRealTimeThread([] {
+        Logger::In in("control");
+        log(Error) << "fetched" << endlog();
+    });
+    EXPECT_THAT(logger.getLogLine(), testing::EndsWith("[control] fetched"));
 }
 
 TEST_F(RealTimeLog, WhatFindsNoRoomIsCountedAndReported) {
@@ -217,7 +220,7 @@ TEST_F(RealTimeLog, ALongModuleNameIsCut) {
     });
     log(Error) << "y" << endlog();
     EXPECT_THAT(console.text(), HasSubstr("[" + std::string(255, 'm') + "] x\n"));
-    EXPECT_THAT(console.text(), HasSubstr("[Logger] y\n"));
+    EXPECT_THAT(console.text(), HasSubstr("[main] y\n"));
 }
 
 TEST_F(RealTimeLog, AnUnfinishedLineIsWrittenWhenTheThreadEnds) {
@@ -308,7 +311,7 @@ TEST_P(LogAtTheEnd, NothingIsLost) {
     for (const std::string& text : {outcome.err, file})
         for (int i = 0; i < 100; ++i)
             ASSERT_THAT(text, HasSubstr("[ ERROR  ][probe] line " + std::to_string(i) + "\n")) << outcome.status;
-    EXPECT_THAT(file, HasSubstr("[ Info   ][Logger] main, not flushed\n"));
+    EXPECT_THAT(file, HasSubstr("[ Info   ][main] main, not flushed\n"));
     EXPECT_EQ(outcome.status == 0, std::string(GetParam()).find("exit") != std::string::npos) << outcome.status;
 }
 

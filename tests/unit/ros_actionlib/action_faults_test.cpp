@@ -21,7 +21,7 @@ using rtt_actionlib::ActionBridge;
 using rtt_actionlib::RTTActionServer;
 using testing::AllOf;
 using testing::HasSubstr;
-typedef RTTActionServer<TestAction>::GoalHandle GoalHandle;
+typedef RTTActionServer<TestAction>::GoalHandle ServerGoal;
 
 struct Server : RTTActionServer<TestAction> {
     Server() : RTTActionServer("status", 0.02) {}
@@ -77,11 +77,11 @@ TEST(RosActionFaults, OperationsTakeGoalsAndCancelRequests) {
             addOperation("cancel", &Doer::cancel, this, RTT::OwnThread);
             addOperation("odd", &Doer::odd, this);
         }
-        void goal(GoalHandle handle) {
+        void goal(ServerGoal handle) {
             isOwn = engine()->isSelf();
             handle.setAccepted();
         }
-        void cancel(GoalHandle handle) { handle.setCanceled(); }
+        void cancel(ServerGoal handle) { handle.setCanceled(); }
         void odd(int) {}
         std::atomic<bool> isOwn{false};
     } doer;
@@ -117,7 +117,7 @@ TEST(RosActionFaults, OddMessagesOfClientsAreHarmless) {
     RTT::TaskContext component("c");
     Bench bench(component);
     std::atomic<int> goals{0};
-    bench.server.registerGoalCallback([&](GoalHandle handle) {
+    bench.server.registerGoalCallback([&](ServerGoal handle) {
         ++goals;
         handle.setAccepted();
         handle.setSucceeded();

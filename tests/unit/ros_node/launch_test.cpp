@@ -124,4 +124,52 @@ TEST_F(RosLaunch, NodesAreRespawned) {
     interrupt(launched);
 }
 
+/** The launch file of the slides: a deployer with Lua or OPS, and a node in Python beside it. */
+const char kSlides[] = R"xml(<launch>
+  <arg name="LUA" default="true"/>
+  <include if="$(arg LUA)" file="$(find rtt_ros)/launch/ldeployer.launch">
+    <arg name="DEPLOYER_ARGS" value="-g -s $(find slides)/example.lua"/>
+    <arg name="LOG_LEVEL" value="info"/>
+    <arg name="DEBUG" value="false"/>
+  </include>
+  <include unless="$(arg LUA)" file="$(find rtt_ros)/launch/deployer.launch">
+    <arg name="DEPLOYER_ARGS" value="-s $(find slides)/example.ops"/>
+    <arg name="LOG_LEVEL" value="info"/>
+    <arg name="DEBUG" value="false"/>
+  </include>
+  <node name="server" pkg="slides" type="server.py" launch-prefix="/usr/bin/python3" output="screen"/>
+</launch>
+)xml";
+
+TEST_F(RosLaunch, TheSlidesHaveADeployerAndANodeInPython) {
+    folder_.write("slides/package.xml",
+                  "<package format=\"2\"><name>slides</name><version>1.0.0</version><description>d</description>"
+                  "<maintainer email=\"a@b.cc\">A</maintainer><license>none</license></package>");
+    folder_.write("slides/launch/slides.launch", kSlides);
+    folder_.write("slides/example.lua",
+                  "local d = rtt.getTC()\nd:import('ocl')\nd:import('rtt_ros')\nlocal ros = rtt.provides('ros')\n"
+                  "ros:import('rtt_rosnode')\nros:import('rtt_std_msgs')\nd:loadComponent('hello', 'OCL::HelloWorld')\n"
+                  "d:stream('hello.the_results', ros:topic('/chatter'))\nlocal c = d:getPeer('hello')\n"
+                  "c:configure()\nc:start()\n");
+    folder_.write("slides/example.ops",
+                  "import(\"ocl\")\nimport(\"rtt_ros\")\nros.import(\"rtt_rosnode\")\nros.import(\"rtt_std_msgs\")\n"
+                  "loadComponent(\"hello\", \"OCL::HelloWorld\")\nstream(\"hello.the_results\", "
+                  "ros.topic(\"/chatter\"))\nhello.configure()\nhello.start()\n");
+    std::filesystem::copy(SERVER_SCRIPT, folder_ / "slides/server.py");
+    std::filesystem::permissions(folder_ / "slides/server.py", std::filesystem::perms::owner_all);
+    setenv("ROS_PACKAGE_PATH", (folder_.path().string() + ":" + kPrefix + "/share").c_str(), 1);
+    for (const char* lua : {"LUA:=true", "LUA:=false"}) {
+        SCOPED_TRACE(lua);
+        Command command = roslaunch({"slides.launch", lua});
+        command.arguments[0] = "slides";
+        ChildProcess launched(command);
+        ASSERT_TRUE(launched.waitForOutput("ready", std::chrono::seconds(20)));  // the node in Python
+        EXPECT_THAT(RosMaster::tool({"rosservice", "call", "/switch", "true"}).out, HasSubstr("message: \"on\""));
+        EXPECT_EQ("data: \"Hello World!\"\n---\n", RosMaster::tool({"rostopic", "echo", "-n", "1", "/chatter"}).out);
+        const Outcome ended = interrupt(launched);
+        EXPECT_EQ(0, ended.status) << ended.out << ended.err;
+    }
+    EXPECT_TRUE(std::filesystem::exists(master_.folder() + "/orocos.log"));
+}
+
 }  // namespace

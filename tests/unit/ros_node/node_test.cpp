@@ -89,4 +89,57 @@ TEST_F(RosNodeProgram, EndsWithStatusZeroBySignals) {
     }
 }
 
+/** Two components wait for each other's services for ever, publish, and are subscribed. */
+const char kWaiting[] = R"(import("rtt_ros")
+ros.import("rtt_rosnode")
+ros.import("rtt_std_msgs")
+ros.import("rtt_std_srvs")
+import("WAITING")
+loadComponent("a", "Waiting")
+loadComponent("b", "Waiting")
+loadService("a", "rosservice")
+loadService("b", "rosservice")
+stream("a.out", ros.topicBuffer("/a", 10))
+stream("b.out", ros.topicLatched("/b"))
+stream("a.in", ros.topicBuffer("/b", 10))
+stream("b.in", ros.topicBuffer("/a", 10))
+a.rosservice.connect("answer", "/a/answer", "std_srvs/Trigger")
+b.rosservice.connect("answer", "/b/answer", "std_srvs/Trigger")
+a.rosservice.connect("here", "/a/here", "std_srvs/Trigger")
+a.rosservice.connect("ask", "/b/answer", "std_srvs/Trigger")
+b.rosservice.connect("ask", "/a/answer", "std_srvs/Trigger")
+setActivity("a", 0.01, 0, ORO_SCHED_OTHER)
+setActivity("b", 0.01, 0, ORO_SCHED_OTHER)
+a.start()
+b.start()
+)";
+
+TEST_F(RosNodeProgram, EndsInTimeWithCallsThatWait) {
+    RosMaster master;
+    std::string script = kWaiting;
+    script.replace(script.find("WAITING"), 7, WAITING_COMPONENT);
+    folder_.write("x.ops", script);
+    const char* const wanted = std::getenv("ORO_ROS_RUNS");  // ./dev stress has 100
+    for (int run = 0; run < (wanted ? std::atoi(wanted) : 3); ++run) {
+        SCOPED_TRACE(run);
+        const bool isStopped = run % 3 == 1, isGone = run % 3 == 2;  // the master, before the program
+        ChildProcess deployer(program("deployer", {"-s", "x.ops", "--", "__name:=n"}, folder_));
+        for (const char* name : {"a waits", "b waits"})
+            ASSERT_TRUE(deployer.waitForOutput(name, std::chrono::seconds(10)));
+        if (isStopped) master.send(SIGSTOP);
+        if (isGone) master.stop();
+        const auto begin = std::chrono::steady_clock::now();
+        deployer.send(run % 2 == 0 ? SIGINT : SIGTERM);
+        const Outcome ended = deployer.finish();
+        const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+        if (isStopped) master.send(SIGCONT);
+        ASSERT_TRUE(!isGone || master.start());
+        ASSERT_EQ(0, ended.status) << ended.out << ended.err;
+        EXPECT_LT(taken.count(), 6) << ended.out << ended.err;
+        std::cout << "run " << run << " ended in " << taken.count() << " s" << std::endl;
+        if (isStopped) continue;
+        EXPECT_EQ("\n", RosMaster::tool({"rosnode", "list"}).out);
+    }
+}
+
 }  // namespace

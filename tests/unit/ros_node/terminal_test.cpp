@@ -3,6 +3,8 @@
 // A program whose standard input is the terminal of another session, as of a node that roslaunch has started.
 #include "programs.hpp"
 
+#include <rtt/rtt-config.h>
+
 #include <gmock/gmock.h>
 
 #include <csignal>

@@ -13,6 +13,9 @@
 namespace reconfigure_test {
 
 void load() {
+    static bool isDone = false;
+    if (isDone) return;
+    isDone = true;
     RTT::plugin::PluginLoader::Instance()->loadLibrary(RTT_TYPEKIT_FILE);
     RTT::plugin::PluginLoader::Instance()->loadLibrary(SCRIPTING_FILE);
     RTT::plugin::PluginLoader::Instance()->loadLibrary(RECONFIGURE_SERVICE_FILE);

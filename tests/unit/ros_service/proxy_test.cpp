@@ -29,7 +29,10 @@ struct ROSServiceServerOperationCallerWrapper<std_srvs::Trigger, 1> {
 };
 }  // namespace rtt_roscomm
 
-TEST_F(ServiceTest, AFactoryOfUsersComesFirst) {
+/** Each in a process of its own: what they register stays. */
+class ServiceRegistryTest : public ServiceTest {};
+
+TEST_F(ServiceRegistryTest, AFactoryOfUsersComesFirst) {
     const auto registry = ROSServiceRegistryService::Instance();
     ASSERT_TRUE(registry);
     EXPECT_TRUE(registry->hasServiceFactory("std_srvs/Trigger"));
@@ -83,7 +86,7 @@ public:
 
 }  // namespace
 
-TEST_F(ServiceTest, AFactoryThatFailsIsReported) {
+TEST_F(ServiceRegistryTest, AFactoryThatFailsIsReported) {
     ASSERT_TRUE(ROSServiceRegistryService::Instance()->registerServiceFactory(new OddFactory()));
     const LogText log;
     EXPECT_FALSE(pump->services->connect("ping", "/odd", "odd_srvs/Odd"));
@@ -93,7 +96,7 @@ TEST_F(ServiceTest, AFactoryThatFailsIsReported) {
     EXPECT_FALSE(pump->services->disconnect("/odd"));
 }
 
-TEST_F(ServiceTest, TheRegistryListsTypes) {
+TEST_F(ServiceRegistryTest, TheRegistryListsTypes) {
     const RTT::Service::shared_ptr service =
         RTT::internal::GlobalService::Instance()->getService("rosservice_registry");
     ASSERT_TRUE(service);
@@ -105,7 +108,7 @@ TEST_F(ServiceTest, TheRegistryListsTypes) {
     EXPECT_EQ(nullptr, ROSServiceRegistryService::Instance()->getServiceFactory("std_srvs/Full"));
 }
 
-TEST_F(ServiceTest, ATypeWithoutATypekitIsRefused) {
+TEST_F(ServiceRegistryTest, ATypeWithoutATypekitIsRefused) {
     static const rtt_roscomm::ServiceEntry ghost = {"ghost_srvs/Boo", "00000000000000000000000000000000",
                                                     "/ghost_srvs/BooRequest", "/ghost_srvs/BooResponse"};
     rtt_roscomm::addServices(&ghost, 1);
@@ -124,7 +127,7 @@ TEST(ServiceCodecTest, BytesBehindARequestAreRefused) {
     EXPECT_THROW(codec.decode(bytes, 2, &request), std::runtime_error);
 }
 
-TEST_F(ServiceTest, ASecondConnectOfAProxyLeavesTheFirst) {
+TEST_F(ServiceRegistryTest, ASecondConnectOfAProxyLeavesTheFirst) {
     auto* const factory = ROSServiceRegistryService::Instance()->getServiceFactory("std_srvs/Trigger");
     ASSERT_TRUE(factory);
     const std::unique_ptr<ROSServiceServerProxyBase> proxy(factory->create_server_proxy("/told"));

@@ -193,7 +193,10 @@ TEST_F(ServiceTest, ManyClientsCallAtOnce) {
     EXPECT_EQ(1200, total);
 }
 
-TEST_F(ServiceTest, AMasterThatIsAwayIsNamed) {
+/** In a process of its own, because its master ends. */
+class ServiceMasterTest : public ServiceTest {};
+
+TEST_F(ServiceMasterTest, AMasterThatIsAwayIsNamed) {
     ASSERT_TRUE(pump->services->connect("flip", "/flip", "std_srvs/Empty"));
     master().stop();
     const LogText log;

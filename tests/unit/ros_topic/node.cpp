@@ -30,8 +30,12 @@ void addTransports() {
 }  // namespace
 
 Node::Node() {
-    RTT::plugin::PluginLoader::Instance()->loadLibrary(RTT_TYPEKIT_FILE);
-    addTransports();
+    static const bool once = [] {
+        RTT::plugin::PluginLoader::Instance()->loadLibrary(RTT_TYPEKIT_FILE);
+        addTransports();
+        return true;
+    }();
+    (void)once;
 }
 
 }  // namespace ros_test

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <string>
 
 namespace ros {
 class AsyncSpinner;
@@ -16,17 +17,27 @@ class AsyncSpinner;
 
 namespace ros_test {
 
-/** Makes this process the node /tester of a master of its own, with the remapping old_name:=new_name. */
+/** Makes this process the node /tester of a master of its own, with the remapping old_name:=new_name. It stays one until it
+    ends: later objects are the same node. */
 class PlainNode {
 public:
     explicit PlainNode(std::uint32_t threads = 2);
-    ~PlainNode();
-    oroforge::test::RosMaster& master() { return master_; }
+    oroforge::test::RosMaster& master() { return process_.master; }
 
 private:
-    oroforge::test::RosMaster master_;
-    std::unique_ptr<ros::AsyncSpinner> spinner_;
+    struct Process {
+        explicit Process(std::uint32_t threads);
+        ~Process();
+        oroforge::test::RosMaster master;
+        std::unique_ptr<ros::AsyncSpinner> spinner;
+    };
+    static Process& process(std::uint32_t threads);
+    Process& process_;
 };
+
+/** `rostopic pub` of one message, from now until the object's end: a tool that ends by itself stays for seconds. */
+std::unique_ptr<oroforge::test::ChildProcess> publish(const std::string& topic, const std::string& type,
+                                                      const std::string& value);
 
 /** True as soon as `condition` is. */
 bool soon(const std::function<bool()>& condition, std::chrono::milliseconds limit = std::chrono::seconds(10));

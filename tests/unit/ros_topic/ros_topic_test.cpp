@@ -127,7 +127,7 @@ TEST_F(RosTopic, TheToolsSeeTopicAndType) {
     out.write(true);
     EXPECT_EQ("std_msgs/Bool\n", RosMaster::tool({"rostopic", "type", "/tester/flag"}).out);
     EXPECT_EQ("data: True\n---\n", RosMaster::tool({"rostopic", "echo", "-n", "1", "/tester/flag"}).out);
-    RosMaster::tool({"rostopic", "pub", "-1", "/new_name", "std_msgs/Int32", "7"});
+    const auto publisher = ros_test::publish("/new_name", "std_msgs/Int32", "7");
     int value = 0;
     EXPECT_TRUE(soon([&] { return in.read(value) == RTT::NewData; }));
     EXPECT_EQ(7, value);

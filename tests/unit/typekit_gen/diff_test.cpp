@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 // typegen --diff: what changed between two headers, and whether it breaks what was built before.
+#include <diff/compare_models.hpp>
 #include <driver/typegen.hpp>
 
 #include <sstream>
@@ -69,6 +70,30 @@ class Diff : public testing::TestWithParam<Case> {
 protected:
     const TempDir dir_;
 };
+
+/// What is said of a struct whose comment names another message of ROS; the messages need not be installed.
+std::string messageChange(const std::string& old, const std::string& now, bool isBreaking) {
+    oroforge::model::TypeModel before, after;
+    before.structs.emplace_back();
+    before.structs[0].cpp = "::S";
+    after.structs = before.structs;
+    before.structs[0].message = old;
+    after.structs[0].message = now;
+    const auto changes = oroforge::typekit::compareModels(before, after);
+    if (changes.empty()) return "";
+    EXPECT_EQ(1U, changes.size());
+    EXPECT_EQ(isBreaking, changes[0].breaking) << changes[0].message;
+    return changes[0].message;
+}
+
+TEST(MessageDiff, NamesAndSumsOfMessagesAreCompared) {
+    EXPECT_EQ("", messageChange("a/B", "a/B", false));
+    EXPECT_EQ("'S' is the message a/C, was a/B", messageChange("a/B", "a/C", true));
+    EXPECT_EQ("'S' is the message a/B, was none", messageChange("", "a/B", false));
+    EXPECT_EQ("'S' is no message of ROS, was a/B", messageChange("a/B", "", true));
+    EXPECT_EQ("", messageChange("a/B", "a/B 01", false));  // a sum that is only checked now
+    EXPECT_EQ("'S' is the message a/B with MD5 sum 02, was 01", messageChange("a/B 01", "a/B 02", true));
+}
 
 }  // namespace
 

@@ -48,6 +48,11 @@ HookInProgress::~HookInProgress() {
 
 const HookInProgress* HookInProgress::top() noexcept { return innermostHook; }
 
+void HookInProgress::forget(const base::TaskCore* task) noexcept {
+    for (const HookInProgress* hook = innermostHook; hook; hook = hook->outer)
+        if (hook->task == task) hook->component = "(destroyed)";
+}
+
 void HookInProgress::setWatch(const HookWatch* watch) noexcept { hookWatch.store(watch, std::memory_order_release); }
 
 }  // namespace RTT::internal

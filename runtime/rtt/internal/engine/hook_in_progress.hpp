@@ -22,7 +22,7 @@ struct HookWatch {
 
 /**
  * While one exists, this thread executes user code of a component: a hook, an operation, a callback, a function. They
- * nest. Crash reports and `deployer --rt-check` use it to name that code. Real-time safe. Lives on the stack.
+ * nest. The log, crash reports and `deployer --rt-check` use it to name that code. Real-time safe. Lives on the stack.
  */
 class RTT_API HookInProgress {
 public:
@@ -38,8 +38,11 @@ public:
     static const HookInProgress* innermost() noexcept { return top(); }
     /** Null, as at first, for no watch. `watch` is never destroyed. Any thread. */
     static void setWatch(const HookWatch* watch) noexcept;
+    /** For the destructor of a component, whose name is about to go: code of this thread that is still within one of
+        its hooks has the name "(destroyed)" from now on. */
+    static void forget(const base::TaskCore* task) noexcept;
 
-    const char* const component;
+    mutable const char* component;     /**< mutable for forget() */
     const char* const hook;            /**< "updateHook()", "configureHook()" …, "a message" … */
     const base::TaskCore* const task;  /**< null if there is none */
     const HookInProgress* const outer; /**< of this thread; null if there is none */

@@ -136,10 +136,10 @@ bool ApplicationServer::InitOrb(int argc, char* argv[], Seconds orb_timeout) {
     if (orb_timeout > 0) options.setDefault("clientCallTimeOutPeriod", milliseconds(orb_timeout));
     try {
         orb = makeOrb(argc, argv, options);
+        detail::setUpOrbThreads();  // before the root POA, which makes the first one
         const CORBA::Object_var object = orb->resolve_initial_references("RootPOA");
         rootPOA = PortableServer::POA::_narrow(object);
         const PortableServer::POAManager_var manager = rootPOA->the_POAManager();
-        detail::setUpOrbThreads();  // before it makes those that serve
         detail::setOthersCanConnect(!areLocal(options));
         manager->activate();
         detail::beginRun();

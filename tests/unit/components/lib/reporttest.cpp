@@ -44,6 +44,38 @@ private:
     RTT::OutputPort<std::string> text_;
 };
 
+/** Writes texts that are hard to read, and a sequence that grows and shrinks. */
+class Grower : public RTT::TaskContext {
+public:
+    explicit Grower(const std::string& name) : RTT::TaskContext(name) {
+        addPort("count", count_);
+        addPort("text", text_);
+        addPort("twice", twice_);
+        addPort("levels", levels_);
+        addOperation("step", &Grower::step, this).doc("Writes new values to all ports.");
+    }
+
+private:
+    void step() {
+        ++cycle_;
+        std::vector<double> levels(static_cast<std::size_t>(cycle_ < 100 ? 0 : cycle_ / 250 % 7));
+        for (std::size_t i = 0; i != levels.size(); ++i) levels[i] = cycle_ + static_cast<double>(i) / 3;
+        text_.write("say \"" + std::to_string(cycle_) + "\",\nblank ");
+        twice_.write(2 * cycle_);
+        levels_.write(levels);
+        count_.write(cycle_);
+        if (cycle_ == kEnd) std::cout << "grown\n" << std::flush;
+    }
+
+    static constexpr int kEnd = 2000;
+    int cycle_ = 0;
+    RTT::OutputPort<double> count_, twice_;
+    RTT::OutputPort<std::string> text_;
+    RTT::OutputPort<std::vector<double>> levels_;
+};
+
 }  // namespace reporttest
 
-ORO_CREATE_COMPONENT(reporttest::Counter)
+ORO_CREATE_COMPONENT_LIBRARY()
+ORO_LIST_COMPONENT_TYPE(reporttest::Counter)
+ORO_LIST_COMPONENT_TYPE(reporttest::Grower)

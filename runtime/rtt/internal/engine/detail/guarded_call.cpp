@@ -10,6 +10,7 @@ namespace RTT::internal::detail {
 std::string nameOf(const base::TaskCore* task) { return task ? task->base::TaskCore::getName() : "GlobalEngine"; }
 
 void threw(const EngineGate::Step& here, const base::TaskCore* task, const char* what, const char* why) {
+    const Logger::In in(here.gone() ? "(destroyed)" : nameOf(task).c_str());
     log(Error) << "in " << (here.gone() ? "a component that is no more" : nameOf(task)) << ": " << what
                << " threw: " << why << endlog();
     here.fail();
