@@ -38,8 +38,31 @@ oroforge_component_library(reporting-mcap
   reporting/recording/options.cpp
   reporting/recording/record_file.cpp
   reporting/recording/recorded_source.cpp
-  reporting/recording/recording.cpp)
+  reporting/recording/recording.cpp
+  reporting/recording/state_channel.cpp)
 target_link_libraries(orocos-ocl-reporting-mcap
   PUBLIC orocos-ocl-reporting
   PRIVATE orocos-rtt-encoding $<BUILD_INTERFACE:oroforge_mcap> $<BUILD_INTERFACE:oroforge_diag>)
 target_compile_definitions(orocos-ocl-reporting-mcap PRIVATE OROFORGE_VERSION="${PROJECT_VERSION}")
+
+# The program that reads recordings.
+find_package(CLI11 QUIET)
+if(NOT CLI11_FOUND)
+  message(STATUS "CLI11 (libcli11-dev) is not installed: no program oro-mcap, which reads recordings")
+  return()
+endif()
+add_executable(oro-mcap
+  reporting/mcap_tool/cat.cpp
+  reporting/mcap_tool/convert.cpp
+  reporting/mcap_tool/diff.cpp
+  reporting/mcap_tool/info.cpp
+  reporting/mcap_tool/leaves.cpp
+  reporting/mcap_tool/main.cpp
+  reporting/mcap_tool/new_file.cpp
+  reporting/mcap_tool/opened_file.cpp
+  reporting/mcap_tool/options.cpp
+  reporting/mcap_tool/recover.cpp
+  reporting/mcap_tool/ros_message.cpp
+  reporting/mcap_tool/ros_schema.cpp)
+target_link_libraries(oro-mcap PRIVATE oroforge_mcap oroforge_diag CLI11::CLI11)
+install(TARGETS oro-mcap RUNTIME DESTINATION bin COMPONENT runtime)

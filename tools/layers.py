@@ -47,6 +47,7 @@ LAYER_OF = {
     "deployer/lua/": "lua",
     "deployer/reporting/": "reporting",
     "deployer/reporting/mcap/": "mcap",     # the file format alone
+    "deployer/reporting/mcap_tool/": "mcap_tool",
     "deployer/logging/": "logging",
     "deployer/components/": "components",
     "deployer/chain/": "chain",
@@ -113,6 +114,7 @@ MAY_INCLUDE = {
     "console": DEPLOYER,
     "lua": DEPLOYER,
     "mcap": set(),
+    "mcap_tool": {"diag", "mcap"},          # a program without the runtime
     "reporting": DEPLOYER | {"encoding", "mcap"},
     "logging": DEPLOYER,
     "components": DEPLOYER,

@@ -34,10 +34,10 @@ protected:
 
 private:
     std::string reportFile_ = "recording.mcap";
-    std::string compression_, split_, clock_ = "realtime", schema_ = "auto";
+    std::string compression_, split_, ringSize_ = "1 GB", clock_ = "realtime", schema_ = "auto";
     unsigned int chunkSize_ = 1U << 20;
     double chunkTime_ = 0.5, ring_ = 0;
-    bool rosNames_ = false;
+    bool rosNames_ = false, states_ = true;
 };
 
 }  // namespace OCL

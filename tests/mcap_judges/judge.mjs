@@ -15,6 +15,7 @@ import { join } from "node:path";
 const require = createRequire(join(process.cwd(), "index.js"));
 const { McapIndexedReader, McapStreamReader } = require("@mcap/core");
 const { loadDecompressHandlers } = require("@mcap/support");
+const { crc32 } = require("@foxglove/crc");
 const { parse: parseRos } = require("@foxglove/rosmsg");
 const { MessageReader: RosReader } = require("@foxglove/rosmsg2-serialization");
 const { parseIDL } = require("@foxglove/omgidl-parser");
@@ -220,6 +221,10 @@ async function count(file) {
     ordered &&= message.logTime >= previous;
     previous = message.logTime;
   }
+  // The library keeps the checksum of the data section, but does not compare it.
+  const data = (await readFile(file)).subarray(0, Number(reader.dataEndOffset));
+  if (reader.dataSectionCrc !== crc32(data))
+    throw new Error(`the checksum of the data section is ${reader.dataSectionCrc}, expected ${crc32(data)}`);
   const metadata = {};
   for await (const one of reader.readMetadata()) metadata[one.name] = Object.fromEntries(one.metadata);
   console.log(JSON.stringify({ counts, gaps, ordered, metadata, statistics: String(reader.statistics.messageCount) }));

@@ -76,6 +76,7 @@ public:
             return result_;
         }
         at_ = result_.whole = sizeof magic;
+        crc_ = crc32(magic, sizeof magic);
         while (!result_.hasEnd && (next() || skip())) {
         }
         return result_;
@@ -105,14 +106,45 @@ private:
         if (length > left - kRecordHead)
             return fail("MCP002", "a record of " + bytesOf(length) + " begins here, but the file ends after " +
                                       bytesOf(left - kRecordHead));
+        const std::uint64_t begin = at_;
         if (op == Op::DataEnd) {
+            if (!checkAll(length)) return false;
             result_.hasEnd = true;
-            result_.whole = at_ + kRecordHead + length;
+        } else {
+            crc_ = crc32(head, sizeof head, crc_);
+            if (!(isRead(op) ? read(op, begin, length) : passBy(length))) return false;
+        }
+        at_ = result_.whole = begin + kRecordHead + length;
+        return true;
+    }
+
+    /** Adds the content of a record to the checksum. */
+    bool passBy(std::uint64_t length) {
+        constexpr std::uint64_t kBlock = std::uint64_t(1) << 16;
+        for (std::uint64_t done = 0; done != length;) {
+            content_.resize(static_cast<std::size_t>(std::min(length - done, kBlock)));
+            if (!source_.read(at_ + kRecordHead + done, content_.data(), content_.size()))
+                return fail("MCP010", "the file cannot be read here");
+            crc_ = crc32(content_.data(), content_.size(), crc_);
+            done += content_.size();
+        }
+        return true;
+    }
+
+    /** Compares the checksum of all records before the DataEnd record with the one that is in it. */
+    bool checkAll(std::uint64_t length) {
+        unsigned char content[4];
+        if (length < sizeof content) {
+            report(lengthProblem(at_));
             return true;
         }
-        const std::uint64_t begin = at_;
-        if (isRead(op) && !read(op, begin, length)) return false;
-        at_ = result_.whole = begin + kRecordHead + length;
+        if (!source_.read(at_ + kRecordHead, content, sizeof content))
+            return fail("MCP010", "the file cannot be read here");
+        const auto crc = numberAt<std::uint32_t>(content);
+        if (crc != 0 && crc != crc_ && result_.problems == 0)
+            report({"MCP003", at_,
+                    "the checksum of all records before this one is wrong, while those of the chunks are right: the "
+                    "description of a channel, an index or metadata have changed since they were written"});
         return true;
     }
 
@@ -129,6 +161,7 @@ private:
         content_.resize(static_cast<std::size_t>(length));
         if (!source_.read(begin + kRecordHead, content_.data(), content_.size()))
             return fail("MCP010", "the file cannot be read here");
+        crc_ = crc32(content_.data(), content_.size(), crc_);
         const Problem problem =
             op == Op::Chunk ? chunk_.open(content_, begin, limits_)
                             : visitRecord(op, {content_.data(), content_.size()}, begin, begin, known_, visitor_);
@@ -189,6 +222,7 @@ private:
     const Limits limits_;
     Scanned result_;
     std::uint64_t at_ = 0;
+    std::uint32_t crc_ = 0;  // of all bytes so far
     Bytes content_;
     ChunkReader chunk_;
     std::set<std::uint16_t> known_;

@@ -24,6 +24,7 @@ bool Writer::write(const Sink::Piece* pieces, std::size_t count) {
 
 bool Writer::writeRecord() {
     const Sink::Piece piece = {record_.data(), record_.size()};
+    crc_ = crc32(piece.data, piece.size, crc_);
     return write(&piece, 1);
 }
 
@@ -61,6 +62,16 @@ bool Writer::add(const Metadata& metadata) {
     return true;
 }
 
+void Writer::addToCrc(const PackedChunk& chunk) {
+    const auto size = static_cast<std::size_t>(chunk.head.packedSize);
+    crc_ = crc32(chunk.before.data(), chunk.before.size(), crc_);
+    if (chunk.head.compression.empty() && chunk.head.crc != 0)
+        crc_ = crc32Joined(crc_, chunk.head.crc, size);  // whose bytes need not be read again
+    else
+        crc_ = crc32(chunk.body, size, crc_);
+    crc_ = crc32(chunk.after.data(), chunk.after.size(), crc_);
+}
+
 bool Writer::write(const PackedChunk& chunk) {
     ChunkIndex index;
     index.head = chunk.head;
@@ -73,6 +84,7 @@ bool Writer::write(const PackedChunk& chunk) {
                                   {chunk.body, static_cast<std::size_t>(chunk.head.packedSize)},
                                   {chunk.after.data(), chunk.after.size()}};
     if (!write(pieces, 3)) return false;
+    addToCrc(chunk);
     put(chunks_, index);
     if (!chunk.channels.empty()) {
         statistics_.start =
@@ -102,7 +114,7 @@ void Writer::group(Op op, Write write) {
 
 bool Writer::finish() {
     record_.clear();
-    RecordPut(record_, Op::DataEnd).number<std::uint32_t>(0).end();
+    RecordPut(record_, Op::DataEnd).number(crc_).end();
     const std::size_t summary = record_.size();
     group(Op::Schema, [&] { record_.insert(record_.end(), schemas_.begin(), schemas_.end()); });
     group(Op::Channel, [&] { record_.insert(record_.end(), channels_.begin(), channels_.end()); });

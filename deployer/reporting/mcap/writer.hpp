@@ -61,11 +61,13 @@ public:
 private:
     bool write(const Sink::Piece* pieces, std::size_t count);
     bool writeRecord();
+    void addToCrc(const PackedChunk& chunk);
     template <class Write>
     void group(Op op, Write write);
 
     Sink& sink_;
     std::uint64_t offset_ = 0;
+    std::uint32_t crc_ = 0;  // of all bytes so far
     Statistics statistics_;
     Bytes record_;
     Bytes schemas_, channels_;  // the records, which the summary repeats

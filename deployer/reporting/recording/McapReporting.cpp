@@ -31,6 +31,9 @@ McapReporting::McapReporting(const std::string& name) : ReportingComponent(name)
         .doc("When a file ends and the next one begins, such as '500 MB' or '60 s'. Empty: never.");
     addProperty("Ring", ring_)
         .doc("Keeps so many seconds in memory and writes them when save() is called. 0: everything is written. [s]");
+    addProperty("RingSize", ringSize_)
+        .doc("The memory that Ring may take, such as '500 MB'. If that is not enough, it keeps fewer seconds.");
+    addProperty("States", states_).doc("Record the states of all peers to the topic /oroforge/states.");
     addProperty("Clock", clock_)
         .doc("The times of messages: realtime, since 1970, or component, that of the TimeService.");
     addProperty("RosNames", rosNames_).doc("Give fields names that ROS takes, such as angle_rad instead of angleRad.");
@@ -53,7 +56,8 @@ McapReporting::~McapReporting() { stopForGood(); }
 bool McapReporting::startHook() {
     recording::RecordingOptions options;
     std::string why;
-    const recording::OptionTexts texts = {compression_, split_, clock_, schema_, chunkSize_, chunkTime_, ring_};
+    const recording::OptionTexts texts = {compression_, split_,     ringSize_,  clock_,
+                                          schema_,      chunkSize_, chunkTime_, ring_};
     if (!recording::readOptions(texts, options, why)) {
         RTT::log(RTT::Error) << "'" << getName() << "' does not start: " << why << RTT::endlog();
         return false;
@@ -61,6 +65,7 @@ bool McapReporting::startHook() {
     options.component = getName();
     options.file = reportFile_;
     options.sources.rosNames = rosNames_;
+    if (states_) options.peers = getPeerGates();
     reportBy([options](const reporting::Sources& sources, const reporting::ReportOptions& general) {
         recording::RecordingOptions all = options;
         all.onFailure = general.onFailure;

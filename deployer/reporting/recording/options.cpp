@@ -39,25 +39,36 @@ bool choose(const std::string& property, const std::string& text,
 
 bool isTime(double seconds) { return seconds > 0 && seconds <= kLongest; }
 
+/** A number and what follows it. */
+std::pair<double, std::string> quantity(const std::string& text) {
+    char* end = nullptr;
+    const double number = std::strtod(text.c_str(), &end);
+    while (*end == ' ') ++end;
+    return {number, end};
+}
+
 }  // namespace
 
 bool readSplit(const std::string& text, Split& split) {
     split = {};
     if (text.empty()) return true;
-    char* end = nullptr;
-    const double number = std::strtod(text.c_str(), &end);
-    while (*end == ' ') ++end;
-    const std::string unit = end;
-    static const std::vector<std::pair<std::string, double>> sizes = {{"kB", 1e3}, {"MB", 1e6}, {"GB", 1e9}};
+    if (readSize(text, split.bytes)) return true;
+    const auto [number, unit] = quantity(text);
     static const std::vector<std::pair<std::string, double>> times = {{"s", 1}, {"min", 60}, {"h", 3600}};
-    for (const auto& [name, factor] : sizes)
-        if (name == unit && number > 0 && number * factor < 1e18) {
-            split.bytes = static_cast<std::uint64_t>(std::ceil(number * factor));
-            return true;
-        }
     for (const auto& [name, factor] : times)
         if (name == unit && isTime(number * factor)) {
             split.nanoseconds = static_cast<std::uint64_t>(std::ceil(number * factor * 1e9));
+            return true;
+        }
+    return false;
+}
+
+bool readSize(const std::string& text, std::uint64_t& bytes) {
+    const auto [number, unit] = quantity(text);
+    static const std::vector<std::pair<std::string, double>> sizes = {{"kB", 1e3}, {"MB", 1e6}, {"GB", 1e9}};
+    for (const auto& [name, factor] : sizes)
+        if (name == unit && number > 0 && number * factor < 1e18) {
+            bytes = static_cast<std::uint64_t>(std::ceil(number * factor));
             return true;
         }
     return false;
@@ -76,6 +87,8 @@ bool readOptions(const OptionTexts& texts, RecordingOptions& options, std::strin
         return false;
     if (!readSplit(texts.split, options.split))
         why = "property Split: found '" + texts.split + "', expected a size or a time, such as '500 MB' or '60 s'";
+    else if (!readSize(texts.ringSize, options.ringSize))
+        why = "property RingSize: found '" + texts.ringSize + "', expected a size, such as '500 MB'";
     else if (texts.chunkSize < kSmallestChunk || texts.chunkSize > kLargestChunk)
         why = "property ChunkSize: found " + std::to_string(texts.chunkSize) + ", expected 4096 to 1073741824 bytes";
     else if (!isTime(texts.chunkTime))

@@ -11,7 +11,7 @@ namespace OCL::recording {
 
 /** Properties of the component. */
 struct OptionTexts {
-    std::string compression, split, clock, schema;
+    std::string compression, split, ringSize, clock, schema;
     unsigned int chunkSize;
     double chunkTime, ring;
 };
@@ -20,6 +20,7 @@ struct OptionTexts {
 bool readOptions(const OptionTexts& texts, RecordingOptions& options, std::string& why);
 /** "", "500 MB", "2GB", "90 s", "10 min". */
 bool readSplit(const std::string& text, Split& split);
+bool readSize(const std::string& text, std::uint64_t& bytes);
 
 }  // namespace OCL::recording
 

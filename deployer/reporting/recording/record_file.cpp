@@ -138,19 +138,27 @@ void FileTaker::finish() {
     }
 }
 
-LastChunks::LastChunks(const FileContent& content, double seconds)
-    : content_(content), span_(static_cast<std::uint64_t>(seconds * 1e9)) {
+LastChunks::LastChunks(const FileContent& content, double seconds, std::uint64_t bytes)
+    : content_(content), span_(static_cast<std::uint64_t>(seconds * 1e9)), most_(bytes) {
     if (content.compression != mcap::Compression::None) compressor_.reset(new mcap::Compressor(content.compression));
+}
+
+LastChunks::Packed LastChunks::takeOldest() {
+    Packed oldest = std::move(chunks_.front());
+    chunks_.pop_front();
+    size_ -= memoryOf(*oldest);
+    return oldest;
+}
+
+std::uint64_t LastChunks::memoryOf(const mcap::PackedChunk& chunk) {
+    return chunk.before.capacity() + chunk.packed.capacity() + chunk.after.capacity() + sizeof chunk;
 }
 
 bool LastChunks::take(const mcap::Chunk& chunk) {
     // The memory of a chunk that is too old is used again.
-    std::unique_ptr<mcap::PackedChunk> packed;
+    Packed packed;
     const std::uint64_t begin = chunk.end() > span_ ? chunk.end() - span_ : 0;
-    while (!chunks_.empty() && chunks_.front()->head.end < begin) {
-        packed = std::move(chunks_.front());
-        chunks_.pop_front();
-    }
+    while (!chunks_.empty() && chunks_.front()->head.end < begin) packed = takeOldest();
     if (!packed) packed.reset(new mcap::PackedChunk);
     std::string why;
     if (!packed->pack(chunk, compressor_.get(), why)) {
@@ -158,7 +166,15 @@ bool LastChunks::take(const mcap::Chunk& chunk) {
         return false;
     }
     packed->own();
+    size_ += memoryOf(*packed);
     chunks_.push_back(std::move(packed));
+    while (size_ > most_ && chunks_.size() > 1) {
+        (void)takeOldest();
+        if (std::exchange(isShort_, true)) continue;
+        RTT::log(RTT::Warning) << "the ring of the recording '" << content_.file << "' has less than "
+                               << static_cast<double>(span_) / 1e9 << " seconds: they need more than the " << most_
+                               << " bytes of the property RingSize" << RTT::endlog();
+    }
     return true;
 }
 

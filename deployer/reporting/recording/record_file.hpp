@@ -92,16 +92,23 @@ private:
 /** Keeps the last seconds in memory, compressed, and writes them to a file when save() is called: a flight recorder. */
 class LastChunks : public ChunkTaker {
 public:
-    LastChunks(const FileContent& content, double seconds);
+    /** @param bytes what the chunks may take together; the oldest are forgotten for that. */
+    LastChunks(const FileContent& content, double seconds, std::uint64_t bytes);
 
     bool take(const oroforge::mcap::Chunk& chunk) override;
     bool save() override;
 
 private:
     const FileContent& content_;
-    const std::uint64_t span_;
+    typedef std::unique_ptr<oroforge::mcap::PackedChunk> Packed;
+    Packed takeOldest();
+    static std::uint64_t memoryOf(const oroforge::mcap::PackedChunk& chunk);
+
+    const std::uint64_t span_, most_;
     std::unique_ptr<oroforge::mcap::Compressor> compressor_;
-    std::deque<std::unique_ptr<oroforge::mcap::PackedChunk>> chunks_;
+    std::deque<Packed> chunks_;
+    std::uint64_t size_ = 0;  // of the memory of all of them
+    bool isShort_ = false;    // the log says that there is no room for all seconds
     unsigned number_ = 0;
 };
 

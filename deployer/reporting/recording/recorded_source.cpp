@@ -54,6 +54,7 @@ RecordedSource::RecordedSource(std::shared_ptr<reporting::Source> source, std::s
       schema_(std::move(schema)),
       sample_(source_->sample()->getRawConstPointer()) {
     source_->prepare();
+    findStores();
     dropped_ = dropped();
 }
 
@@ -71,15 +72,20 @@ mcap::Channel RecordedSource::channel(std::uint16_t id) {
     return channel;
 }
 
-std::size_t RecordedSource::dropped() const {
-    std::size_t sum = 0;
-    if (!source_->port()) return 0;
+void RecordedSource::findStores() {
+    stores_.clear();
+    if (!source_->port()) return;
     for (const auto& connection : source_->port()->getManager()->getConnections())
         for (RTT::base::ChannelElementBase::shared_ptr at = boost::get<1>(connection); at; at = at->getInput())
-            if (const RTT::internal::StorageCore* const core = at->storageCore()) {
-                sum += core->store().dropped();
+            if (at->storageCore()) {
+                stores_.push_back(at);
                 break;
             }
+}
+
+std::size_t RecordedSource::dropped() const {
+    std::size_t sum = 0;
+    for (const RTT::base::ChannelElementBase::shared_ptr& at : stores_) sum += at->storageCore()->store().dropped();
     return sum;
 }
 
@@ -95,12 +101,17 @@ void RecordedSource::countDropped() {
 }
 
 bool RecordedSource::addSamples(ChunkPipe& pipe, const std::function<std::uint64_t()>& now, unsigned most) {
-    if (!source_->port() || !source_->read()) return false;
-    countDropped();
+    if (!source_->port()) return false;
+    const bool any = source_->read();
+    findStores();
+    countDropped();  // also what was dropped while the samples before were taken
+    if (!any) return false;
     ChunkPipe::Filling filling(pipe);
-    do add(filling, now());
-    while (--most != 0 && source_->read());
-    return true;
+    for (;;) {
+        add(filling, now());
+        if (--most == 0 || !source_->read()) return true;
+        countDropped();
+    }
 }
 
 void RecordedSource::add(ChunkPipe::Filling& filling, std::uint64_t now) {
@@ -134,6 +145,7 @@ void RecordedSource::addValue(ChunkPipe& pipe, std::uint64_t now) {
 
 void RecordedSource::forgetSamples() {
     source_->clear();
+    findStores();
     dropped_ = dropped();
 }
 

@@ -7,6 +7,7 @@
 
 #include <reporting/mcap/records.hpp>
 #include <reporting/source.hpp>
+#include <rtt/base/ChannelElementBase.hpp>
 #include <rtt/encoding/Plan.hpp>
 #include <rtt/encoding/SchemaText.hpp>
 
@@ -50,6 +51,8 @@ private:
                    RTT::encoding::SchemaText schema);
     void add(ChunkPipe::Filling& filling, std::uint64_t now);
     void lose(std::uint64_t count);
+    /** Looks for what counts dropped samples: the port may be connected anew at any time. */
+    void findStores();
     void countDropped();
     std::size_t dropped() const;
 
@@ -59,6 +62,7 @@ private:
     const void* const sample_;
     std::uint16_t id_ = 0;
     std::uint32_t sequence_ = 0;
+    std::vector<RTT::base::ChannelElementBase::shared_ptr> stores_;
     std::size_t dropped_ = 0;
     std::atomic<std::uint64_t> lost_{0};
     std::vector<unsigned char> last_, now_;  // of a value

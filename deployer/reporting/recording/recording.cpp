@@ -8,7 +8,10 @@
 #include <algorithm>
 #include <chrono>
 #include <ctime>
+#include <filesystem>
+#include <fstream>
 #include <sys/utsname.h>
+#include <system_error>
 #include <utility>
 
 namespace OCL::recording {
@@ -18,6 +21,9 @@ namespace mcap = oroforge::mcap;
 
 /** The most samples of one port in one cycle, so that a writer that never pauses cannot prevent a stop. */
 constexpr unsigned kSamplesPerCycle = 10000;
+
+/** Numbers of channels have 16 bits; some are for the recorder's own. */
+constexpr std::size_t kMostChannels = 65500;
 
 std::int64_t timeOfDay() {
     return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::system_clock::now().time_since_epoch())
@@ -32,6 +38,18 @@ std::string dateNow() {
     return text;
 }
 
+/** How the process was started, which names the files of its deployment. */
+std::string commandLine() {
+    constexpr std::size_t kMost = 4096;
+    std::ifstream file("/proc/self/cmdline", std::ios::binary);
+    std::string text(kMost, '\0');
+    file.read(text.data(), static_cast<std::streamsize>(text.size()));
+    text.resize(static_cast<std::size_t>(file.gcount()));
+    while (!text.empty() && text.back() == '\0') text.pop_back();
+    std::replace(text.begin(), text.end(), '\0', ' ');
+    return text;
+}
+
 mcap::Metadata about(const RecordingOptions& options) {
     mcap::Metadata result{"oroforge", {}};
     result.texts["component"] = options.component;
@@ -40,6 +58,9 @@ mcap::Metadata about(const RecordingOptions& options) {
     // The same run in simulated time gives the same file.
     if (!options.realtime) return result;
     result.texts["start"] = dateNow();
+    result.texts["command"] = commandLine();
+    std::error_code error;
+    result.texts["folder"] = std::filesystem::current_path(error).string();
     utsname system{};
     if (::uname(&system) != 0) return result;
     result.texts["host"] = system.nodename;
@@ -52,6 +73,7 @@ mcap::Metadata about(const RecordingOptions& options) {
 std::unique_ptr<Recording> Recording::make(const reporting::Sources& sources, const RecordingOptions& options) {
     std::unique_ptr<Recording> result(new Recording(options));
     for (const std::shared_ptr<reporting::Source>& source : sources) result->add(source);
+    if (!options.peers.empty()) result->addStates();
     if (!result->begin()) return nullptr;
     return result;
 }
@@ -72,10 +94,10 @@ Recording::~Recording() {
 void Recording::add(const std::shared_ptr<reporting::Source>& source) {
     std::string why;
     std::unique_ptr<RecordedSource> added = RecordedSource::make(source, options_.sources, why);
-    if (!added || content_.channels.size() == 0xffffU) {
+    if (!added || content_.channels.size() == kMostChannels) {
         RTT::log(RTT::Error) << "'" << options_.component << "' does not record '" << source->name() << "': error: ["
                              << "MCP011"
-                             << "] " << (added ? "a file has at most 65535 channels" : why) << RTT::endlog();
+                             << "] " << (added ? "a file has at most 65500 channels" : why) << RTT::endlog();
         return;
     }
     if (options_.sources.language == RTT::encoding::SchemaLanguage::Auto && !added->schema().illegal.empty())
@@ -96,10 +118,18 @@ std::uint16_t Recording::schemaOf(const RTT::encoding::SchemaText& text) {
     return id;
 }
 
+void Recording::addStates() {
+    const auto schema = static_cast<std::uint16_t>(content_.schemas.size() + 1);
+    const auto channel = static_cast<std::uint16_t>(content_.channels.size() + 1);
+    states_.reset(new StateChannel(options_.peers));
+    content_.schemas.push_back(StateChannel::schema(schema));
+    content_.channels.push_back(states_->channel(channel, schema));
+}
+
 bool Recording::begin() {
     ChunkTaker* taker = nullptr;
     if (options_.ring > 0) {
-        last_.reset(new LastChunks(content_, options_.ring));
+        last_.reset(new LastChunks(content_, options_.ring, options_.ringSize));
         taker = last_.get();
     } else {
         file_.reset(new FileTaker(content_, options_.split));
@@ -115,6 +145,7 @@ bool Recording::begin() {
     pipe_.reset(
         new ChunkPipe({options_.component + ".Writer", options_.chunkSize, options_.chunkTime}, *taker, onLoss));
     writeRow();
+    if (states_) states_->add(*pipe_, now());
     return true;
 }
 
@@ -125,6 +156,7 @@ std::uint64_t Recording::now() const {
 
 bool Recording::read() {
     bool any = false;
+    if (states_) states_->add(*pipe_, now());
     const std::function<std::uint64_t()> clock = [this] { return now(); };
     for (const auto& source : sources_) any |= source->addSamples(*pipe_, clock, kSamplesPerCycle);
     if (lost() != 0 && !std::exchange(everLost_, true))
@@ -160,7 +192,7 @@ void Recording::finish() {
 }
 
 unsigned long Recording::lost() const {
-    unsigned long sum = pipe_ ? pipe_->lost() : 0;
+    unsigned long sum = (pipe_ ? pipe_->lost() : 0) + (states_ ? states_->lost() : 0);
     for (const auto& source : sources_) sum += source->lost();
     return sum;
 }

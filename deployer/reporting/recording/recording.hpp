@@ -6,6 +6,7 @@
 #include "chunk_pipe.hpp"
 #include "record_file.hpp"
 #include "recorded_source.hpp"
+#include "state_channel.hpp"
 
 #include <reporting/report.hpp>
 #include <reporting/running_report.hpp>
@@ -23,10 +24,12 @@ struct RecordingOptions {
     oroforge::mcap::Compression compression = oroforge::mcap::Compression::None;
     std::size_t chunkSize = 0;
     double chunkTime = 0, ring = 0;  ///< seconds; without a ring, everything is written
+    std::uint64_t ringSize = 0;      ///< bytes
     Split split;
     bool realtime = true;  ///< messages have the time of day; otherwise that of the TimeService
     RecordedSource::Options sources;
-    std::function<void()> onFailure;  ///< called once by another thread, when nothing more can be written
+    RTT::TaskContext::PeerGates peers;  ///< those whose states are recorded
+    std::function<void()> onFailure;    ///< called once by another thread, when nothing more can be written
 };
 
 /** A recording from start() to stop() of its component. */
@@ -53,6 +56,7 @@ private:
     explicit Recording(const RecordingOptions& options);
     void add(const std::shared_ptr<reporting::Source>& source);
     std::uint16_t schemaOf(const RTT::encoding::SchemaText& text);
+    void addStates();
     bool begin();
     std::uint64_t now() const;
     oroforge::mcap::Metadata atEnd() const;
@@ -61,9 +65,10 @@ private:
     const std::int64_t toClock_;  // what is added to the time of the TimeService
     FileContent content_;
     std::vector<std::unique_ptr<RecordedSource>> sources_;
-    std::unique_ptr<FileTaker> file_;   // without a ring
-    std::unique_ptr<LastChunks> last_;  // the ring
-    std::unique_ptr<ChunkPipe> pipe_;   // last: its thread uses those
+    std::unique_ptr<StateChannel> states_;  // null: they are not recorded
+    std::unique_ptr<FileTaker> file_;       // without a ring
+    std::unique_ptr<LastChunks> last_;      // the ring
+    std::unique_ptr<ChunkPipe> pipe_;       // last: its thread uses those
     bool everLost_ = false;
 };
 

@@ -23,6 +23,17 @@ TEST(Checksum, IsThatOfZip) {
         EXPECT_EQ(0x414fa339U, crc32(text.data() + i, text.size() - i, crc32(text.data(), i)));
 }
 
+TEST(Checksum, IsJoinedOfThoseOfTwoParts) {
+    std::mt19937 random(3);
+    Bytes bytes(70000);
+    for (unsigned char& byte : bytes) byte = static_cast<unsigned char>(random());
+    const std::uint32_t all = crc32(bytes.data(), bytes.size());
+    for (const std::size_t first : {0UL, 1UL, 17UL, 4096UL, 69999UL, 70000UL}) {
+        const std::size_t second = bytes.size() - first;
+        EXPECT_EQ(all, crc32Joined(crc32(bytes.data(), first), crc32(bytes.data() + first, second), second)) << first;
+    }
+}
+
 class Recording : public testing::TestWithParam<Compression> {
 protected:
     const std::vector<Told> messages = someMessages(333);
@@ -122,6 +133,22 @@ TEST_P(Recording, ThatIsDamagedAnywhereInAChunkHasNoOtherMessages) {
             [](const Problem&) {});
         EXPECT_GE(count, 283U) << at;
     }
+}
+
+TEST_P(Recording, InWhichAnyByteBeforeTheIndexHasChangedIsFoundOut) {
+    for (std::size_t at = 0; at < file.dataEnd; at += at < 500 ? 1 : 13) {
+        Bytes bytes = file.bytes();
+        bytes[at] = static_cast<unsigned char>(bytes[at] ^ (1U << at % 8));
+        EXPECT_FALSE(Found(bytes).problems.empty()) << at;
+    }
+    Bytes bytes = file.bytes();
+    const std::string topic = "/a/second";
+    *std::search(bytes.begin(), bytes.end(), topic.begin(), topic.end()) = '_';
+    const Found found(bytes);
+    EXPECT_EQ(messages, found.messages);
+    ASSERT_THAT(codesOf(found.problems), ElementsAre("MCP003"));
+    EXPECT_EQ(file.dataEnd, found.problems[0].offset);
+    EXPECT_THAT(found.problems[0].text, HasSubstr("those of the chunks are right"));
 }
 
 TEST_P(Recording, WithADamagedChunkHasTheOthers) {

@@ -27,6 +27,7 @@ protected:
         set<std::string>("ReportFile", file("run.mcap"));
         set<std::string>("Clock", "component");
         set<std::string>("Compression", "none");
+        set("States", false);
     }
     void TearDown() override {
         recorder.reset();

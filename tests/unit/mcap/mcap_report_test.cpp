@@ -175,6 +175,62 @@ TEST_F(Recorder, RingHasTheLastSeconds) {
     EXPECT_THAT(log(), HasSubstr("'Recorder' saved nothing: it must run"));
 }
 
+TEST_F(Recorder, RingTakesNoMoreMemoryThanItMay) {
+    const LogText log;
+    set("ChunkSize", 4096U);
+    set("Ring", 1000.0);
+    set<std::string>("RingSize", "20 kB");
+    ASSERT_TRUE(recorder->reportPort("Machine", "levels") && recorder->start());
+    for (int i = 0; i != 40; ++i) {
+        machine.levels.write(std::vector<double>(300, i));
+        step(1);
+    }
+    EXPECT_TRUE(recorder->save());
+    recorder->stop();
+    const Found found = read();
+    EXPECT_TRUE(found.scanned.hasEnd && found.problems.empty());
+    EXPECT_GE(found.messages.size(), 3U);
+    EXPECT_LE(std::filesystem::file_size(directory / "run.mcap"), 22000U);
+    double last = 0;
+    std::memcpy(&last, std::get<3>(found.messages.back()).data() + 12, sizeof last);
+    EXPECT_EQ(39, last);
+    const std::string said = log();
+    const std::size_t first = said.find("has less than 1000 seconds: they need more than the 20000 bytes");
+    ASSERT_NE(said.npos, first) << said;
+    EXPECT_EQ(said.npos, said.find("has less than", first + 20));
+}
+
+TEST_F(Recorder, HasTheStatesOfPeers) {
+    set("States", true);
+    auto other = std::make_unique<RTT::TaskContext>("Other", RTT::TaskContext::PreOperational);
+    recorder->addPeer(other.get());
+    ASSERT_TRUE(recorder->reportPort("Machine", "speed") && recorder->start());
+    step();
+    other->configure();
+    step();
+    machine.speed.write(1);
+    other->start();
+    step();
+    step();
+    other.reset();
+    step();
+    recorder->stop();
+    const Found found = read();
+    ASSERT_THAT(found.channels, SizeIs(2));
+    EXPECT_EQ("/oroforge/states", found.channels[1].topic);
+    EXPECT_EQ("oroforge/msg/ComponentState", found.schemas.at(found.channels[1].schema - 1U).name);
+    std::vector<std::string> states;
+    for (const auto& [channel, sequence, time, data] : found.messages) {
+        if (channel != 2) continue;
+        EXPECT_EQ(states.size(), sequence);
+        // Behind the head there are texts with their sizes, at multiples of four.
+        const std::string component = data.c_str() + 8;
+        states.push_back(component + " " + (data.c_str() + 8 + (component.size() + 4) / 4 * 4 + 4));
+    }
+    EXPECT_THAT(states, ElementsAre("Machine Stopped", "Other PreOperational", "Other Stopped", "Other Running",
+                                    "Other Destroyed"));
+}
+
 TEST_F(Recorder, DoesNotStartIfTheFileCannotBeWritten) {
     const LogText log;
     set<std::string>("ReportFile", file("no/such/run.mcap"));
@@ -228,6 +284,8 @@ TEST_F(Recorder, RefusesPropertiesThatMakeNoSense) {
     refuses("ChunkSize", 0U, 4096U, "property ChunkSize: found 0, expected 4096 to");
     refuses("ChunkSize", ~0U, 4096U, "property ChunkSize: found 4294967295");
     refuses("ChunkTime", 0.0, 0.5, "property ChunkTime: found 0.0");
+    for (const char* const size : {"", "5", "0 MB", "5 s"})
+        refuses("RingSize", std::string(size), std::string("1 GB"), "property RingSize: found '" + std::string(size));
     refuses("Ring", -1.0, 0.0, "property Ring: found -1.0");
     EXPECT_TRUE(recorder->start());
 }
@@ -256,6 +314,8 @@ TEST_F(Recorder, HasTheTimeOfDayIfAsked) {
         static_cast<double>(std::time(nullptr)) - static_cast<double>(std::get<2>(found.messages[0])) / 1e9;
     EXPECT_LT(std::abs(age), 30);
     EXPECT_THAT(found.allMetadata[0].texts.at("host"), Not(IsEmpty()));
+    EXPECT_THAT(found.allMetadata[0].texts.at("command"), HasSubstr("mcap_report_test"));
+    EXPECT_EQ(std::filesystem::current_path(), found.allMetadata[0].texts.at("folder"));
 }
 
 TEST_F(Recorder, RunsAgainAndTheFileBeginsAnew) {

@@ -3,6 +3,7 @@
 // Values of every type of the golden typekits are recorded, and read by the libraries of MCAP and Foxglove
 // (tests/mcap_judges), which know nothing of us: they find what our JSON says. `./dev judges` installs those libraries.
 #include <ocl/McapReporting.hpp>
+#include <reporting/mcap/salvage.hpp>
 #include <rtt/TaskContext.hpp>
 #include <rtt/base/OutputPortInterface.hpp>
 #include <rtt/encoding/Json.hpp>
@@ -82,7 +83,9 @@ protected:
         }
         EXPECT_TRUE(recorder.start());
         std::ofstream expected(directory / "expected.txt");
-        std::size_t messages = 0;
+        expected << R"({"topic": "/oroforge/states", "value": {"component": "Types", "state": "Stopped"}})"
+                 << "\n";
+        std::size_t messages = 1;
         for (unsigned seed = 0; seed != 2; ++seed)
             for (const auto& port : ports) {
                 const TypeInfo& type = *port->getTypeInfo();
@@ -138,6 +141,25 @@ TEST_F(RecordedValues, OfACutOrDamagedFileAreReadUpToThere) {
     EXPECT_EQ(0, all.status) << all.out << all.err;
     EXPECT_THAT(all.out, HasSubstr("\"statistics\":\"" + std::to_string(messages) + "\""));
     EXPECT_THAT(all.out, HasSubstr("\"gaps\":0,\"ordered\":true"));
+}
+
+TEST_F(RecordedValues, OfASalvagedFileAreReadByItsIndex) {
+    for (const char* const compression : {"none", "lz4", "zstd"}) {
+        SCOPED_TRACE(compression);
+        const std::size_t messages = record(compression, "auto");
+        std::string bytes = readFile(directory / "run.mcap");
+        bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
+        bytes.resize(bytes.size() * 3 / 4);
+        oroforge::mcap::MemorySource source(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
+        oroforge::mcap::MemorySink sink;
+        const oroforge::mcap::Salvaged salvaged = oroforge::mcap::salvage(source, sink);
+        EXPECT_GT(salvaged.messages, 10U);
+        EXPECT_LT(salvaged.messages, messages);
+        directory.write("salvaged.mcap", std::string(sink.bytes.begin(), sink.bytes.end()));
+        const Outcome outcome = judge({"count", (directory / "salvaged.mcap").string()});
+        EXPECT_EQ(0, outcome.status) << outcome.out << outcome.err;
+        EXPECT_THAT(outcome.out, HasSubstr("\"statistics\":\"" + std::to_string(salvaged.messages) + "\""));
+    }
 }
 
 }  // namespace
