@@ -46,6 +46,8 @@ LAYER_OF = {
     "deployer/console/": "console",
     "deployer/lua/": "lua",
     "deployer/reporting/": "reporting",
+    "deployer/reporting/mcap/": "mcap",     # the file format alone
+    "deployer/reporting/mcap_tool/": "mcap_tool",
     "deployer/logging/": "logging",
     "deployer/components/": "components",
     "deployer/chain/": "chain",
@@ -111,7 +113,9 @@ MAY_INCLUDE = {
     "deployment": DEPLOYER | {"corba", "cpf"},
     "console": DEPLOYER,
     "lua": DEPLOYER,
-    "reporting": DEPLOYER,
+    "mcap": set(),
+    "mcap_tool": {"diag", "mcap"},          # a program without the runtime
+    "reporting": DEPLOYER | {"encoding", "mcap"},
     "logging": DEPLOYER,
     "components": DEPLOYER,
     "chain": DEPLOYER,
@@ -152,6 +156,7 @@ FOREIGN = {
     r"mqueue\.h": ["runtime/rtt/transports/mqueue/", "deployer/rt_check/", "tests/unit/transports/", "bench/"],
     r"(lua5\.\d/)?(lua|lauxlib|lualib)\.h(pp)?": ["deployer/lua/"],
     r"log4cpp/": ["deployer/logging/", "deployer/ocl/", "deployer/bin/", "tests/unit/logging/", "bench/"],
+    r"(zstd|lz4(frame|hc)?)\.h": ["deployer/reporting/mcap/"],
     r"netcdf(_\w+)?\.h$": ["deployer/reporting/netcdf_"],
     r"(histedit\.h|editline/|readline/)": ["deployer/console/"],
     r"(ros|roscpp|tf2?|actionlib|dynamic_reconfigure)/": ["ros/", "tests/unit/ros_", "bench/ros_"],

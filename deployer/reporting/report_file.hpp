@@ -3,6 +3,8 @@
 #ifndef ORO_OCL_REPORTING_REPORT_FILE_HPP
 #define ORO_OCL_REPORTING_REPORT_FILE_HPP
 
+#include <rtt/os/descriptor.hpp>
+
 #include <string>
 
 namespace OCL::reporting {
@@ -14,6 +16,10 @@ bool isRegular(int file);
 
 /** Empties a regular file for this reporter alone, until it is closed. Returns why that fails, or nothing. */
 std::string claim(int file);
+
+/** Begins a file anew, or opens a pipe that somebody reads. Returns a descriptor that appends; an empty one, with the
+    reason, if it cannot be opened or any process writes a report to it. */
+RTT::os::detail::Descriptor openReport(const std::string& name, std::string& error);
 
 }  // namespace OCL::reporting
 

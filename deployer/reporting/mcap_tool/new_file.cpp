@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "new_file.hpp"
+
+#include <cerrno>
+#include <fcntl.h>
+#include <iostream>
+#include <system_error>
+#include <unistd.h>
+
+namespace oroforge::mcap {
+
+std::unique_ptr<NewFile> NewFile::make(const std::string& name) {
+    constexpr mode_t kMode = 0666;
+    const int file = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kMode);
+    if (file >= 0) return std::unique_ptr<NewFile>(new NewFile(file));
+    const std::string why = errno == EEXIST ? "the file exists; remove it, or name another one with -o"
+                                            : std::generic_category().message(errno);
+    std::cerr << name << ": error: " << why << "\n";
+    return nullptr;
+}
+
+NewFile::~NewFile() { ::close(file_); }
+
+std::string NewFile::write(const Piece* pieces, std::size_t count) {
+    for (const Piece* piece = pieces; piece != pieces + count; ++piece)
+        for (std::size_t done = 0; done != piece->size;) {
+            const ssize_t size = ::write(file_, piece->data + done, piece->size - done);
+            if (size < 0 && errno == EINTR) continue;
+            if (size < 0) return std::generic_category().message(errno);
+            done += static_cast<std::size_t>(size);
+        }
+    return {};
+}
+
+}  // namespace oroforge::mcap

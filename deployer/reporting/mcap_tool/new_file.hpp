@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef OROFORGE_MCAP_TOOL_NEW_FILE_HPP
+#define OROFORGE_MCAP_TOOL_NEW_FILE_HPP
+
+#include <reporting/mcap/writer.hpp>
+
+#include <memory>
+#include <string>
+
+namespace oroforge::mcap {
+
+/** A file that this program makes. */
+class NewFile : public Sink {
+public:
+    /** Null, with the error on standard error, if the file exists or cannot be made. */
+    static std::unique_ptr<NewFile> make(const std::string& name);
+    ~NewFile() override;
+    NewFile(const NewFile&) = delete;
+    NewFile& operator=(const NewFile&) = delete;
+
+    std::string write(const Piece* pieces, std::size_t count) override;
+
+private:
+    explicit NewFile(int file) : file_(file) {}
+    const int file_;
+};
+
+}  // namespace oroforge::mcap
+
+#endif

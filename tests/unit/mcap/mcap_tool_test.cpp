@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// The program oro-mcap, as its user runs it.
+#include "mcap_files.hpp"
+
+#include <support/child_process.hpp>
+#include <support/golden.hpp>
+#include <support/temp_dir.hpp>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace {
+
+using namespace mcap_test;
+using oroforge::test::Command;
+using oroforge::test::Outcome;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+const char* const kLevel =
+    "float64 height  # The water. [m]\n"
+    "string name\n"
+    "int8 LEFT=-1\n"
+    "int8 side\n"
+    "tank/Point[] path\n"
+    "bool[2] valves\n"
+    "================================================================================\n"
+    "MSG: tank/Point\n"
+    "uint16 x\n"
+    "float32 y\n";
+
+/** Plain CDR. */
+class Cdr {
+public:
+    Bytes bytes{0, 1, 0, 0};
+    template <class Number>
+    Cdr& put(Number number) {
+        while ((bytes.size() - 4) % sizeof number != 0) bytes.push_back(0);
+        unsigned char raw[sizeof number];
+        std::memcpy(raw, &number, sizeof number);
+        bytes.insert(bytes.end(), raw, raw + sizeof number);
+        return *this;
+    }
+    Cdr& put(const std::string& text) {
+        put(static_cast<std::uint32_t>(text.size() + 1));
+        bytes.insert(bytes.end(), text.begin(), text.end());
+        bytes.push_back(0);
+        return *this;
+    }
+};
+
+std::string level(double height, const std::string& name, std::uint32_t points) {
+    Cdr cdr;
+    cdr.put(height).put(name).put(std::int8_t(-1)).put(points);
+    for (std::uint32_t i = 0; i != points; ++i) cdr.put(static_cast<std::uint16_t>(i)).put(0.5F);
+    cdr.put(true).put(false);
+    return {cdr.bytes.begin(), cdr.bytes.end()};
+}
+
+class Tool : public testing::Test {
+protected:
+    Outcome run(const std::vector<std::string>& arguments) const {
+        Command command;
+        command.program = TOOL_PROGRAM;
+        command.arguments = arguments;
+        command.directory = directory.path();
+        return oroforge::test::run(command);
+    }
+    Outcome expect(int status, const std::vector<std::string>& arguments) const {
+        Outcome outcome = run(arguments);
+        EXPECT_EQ(status, outcome.status) << outcome.out << outcome.err;
+        return outcome;
+    }
+    /** Messages of /tank/level (1), and of /tank/count (2), one of which is missing. */
+    void record(const std::string& name, const std::vector<Told>& messages, const std::string& schema = kLevel) {
+        MemorySink sink;
+        Writer writer(sink);
+        EXPECT_TRUE(writer.begin({"ros2", "a test"}));
+        EXPECT_TRUE(writer.add(Schema{1, "tank/msg/Level", "ros2msg", schema}));
+        EXPECT_TRUE(writer.add(Schema{2, "std_msgs/msg/Int32", "ros2msg", "int32 data\n"}));
+        EXPECT_TRUE(writer.add(Channel{1, 1, "/tank/level", "cdr", {}}));
+        EXPECT_TRUE(writer.add(Channel{2, 2, "/tank/count", "cdr", {}}));
+        PackedChunk packed;
+        Chunk chunk(10000);
+        std::string why;
+        for (const Told& message : messages) {
+            EXPECT_TRUE(addTo(chunk, message) && packed.pack(chunk, nullptr, why) && writer.write(packed));
+            chunk.clear();
+        }
+        EXPECT_TRUE(writer.add(Metadata{"oroforge.lost", {{"all", "0"}}}) && writer.finish());
+        directory.write(name, std::string(sink.bytes.begin(), sink.bytes.end()));
+    }
+    static std::vector<Told> messages() {
+        const auto count = [](std::int32_t number) {
+            Cdr cdr;
+            cdr.put(number);
+            return std::string(cdr.bytes.begin(), cdr.bytes.end());
+        };
+        return {{1, 0, 1500000000, level(1.5, "a \"quoted\", text\n", 1)},
+                {2, 0, 2000000000, count(-7)},
+                {1, 1, 2500000000, level(2.25, "b", 2)},
+                {2, 2, 3000000000, count(9)}};
+    }
+    std::string readText(const std::string& name) const { return oroforge::test::readFile(directory / name); }
+
+    oroforge::test::TempDir directory;
+};
+
+TEST_F(Tool, InfoCountsAndChecks) {
+    record("run.mcap", messages());
+    const Outcome outcome = expect(0, {"info", "run.mcap"});
+    EXPECT_EQ("", outcome.err);
+    EXPECT_THAT(outcome.out, HasSubstr("messages    4 in 4 chunks, compression none\n"));
+    EXPECT_THAT(outcome.out, HasSubstr("from        1.500000000 s\nto          3.000000000 s, 1.500000000 s\n"));
+    EXPECT_THAT(outcome.out, HasSubstr("metadata    oroforge.lost: all=0\n"));
+    EXPECT_THAT(outcome.out, HasSubstr("/tank/level  tank/msg/Level             2        0\n"));
+    EXPECT_THAT(outcome.out, HasSubstr("/tank/count  std_msgs/msg/Int32         2        1\n"));
+}
+
+TEST_F(Tool, CatPrintsJson) {
+    record("run.mcap", messages());
+    const Outcome outcome = expect(0, {"cat", "run.mcap"});
+    EXPECT_THAT(outcome.out,
+                StartsWith(R"({"topic": "/tank/level", "time": 1.500000000, "sequence": 0, "message": {"height": 1.5, )"
+                           R"("name": "a \"quoted\", text\u000a", "side": -1, "path": [{"x": 0, "y": 0.5}], )"
+                           R"("valves": [true, false]}})"
+                           "\n"
+                           R"({"topic": "/tank/count", "time": 2.000000000, "sequence": 0, "message": {"data": -7}})"
+                           "\n"));
+    const Outcome one = expect(0, {"cat", "run.mcap", "--topic", "/tank/count"});
+    EXPECT_EQ(2, std::count(one.out.begin(), one.out.end(), '\n'));
+    EXPECT_THAT(expect(2, {"cat", "run.mcap", "--topic", "/tank/cont"}).err,
+                HasSubstr("run.mcap: error: there is no topic '/tank/cont'; did you mean '/tank/count'?"));
+}
+
+TEST_F(Tool, ConvertsATopicToATable) {
+    record("run.mcap", messages());
+    const std::string table =
+        "time,height,name,side,path[0].x,path[0].y,valves[0],valves[1],path[1].x,path[1].y\n"
+        "1.500000000,1.5,\"a \"\"quoted\"\", text\n\",-1,0,0.5,true,false,,\n"
+        "2.500000000,2.25,b,-1,0,0.5,true,false,1,0.5\n";
+    EXPECT_EQ(table, expect(0, {"convert", "run.mcap", "--topic", "/tank/level"}).out);
+    expect(0, {"convert", "run.mcap", "--topic", "/tank/level", "-o", "level.csv"});
+    EXPECT_EQ(table, readText("level.csv"));
+    EXPECT_THAT(expect(2, {"convert", "run.mcap", "--topic", "/tank/level", "-o", "level.csv"}).err,
+                HasSubstr("level.csv: error: the file exists"));
+    EXPECT_THAT(expect(2, {"convert", "run.mcap"}).err, HasSubstr("name it with --topic: /tank/count /tank/level"));
+    EXPECT_THAT(expect(2, {"convert", "run.mcap", "--to", "xls"}).err, HasSubstr("--to: found 'xls', expected csv"));
+}
+
+TEST_F(Tool, DiffNamesTheFirstDifference) {
+    record("one.mcap", messages());
+    record("same.mcap", messages());
+    EXPECT_EQ("", expect(0, {"diff", "one.mcap", "same.mcap"}).out);
+    std::vector<Told> others = messages();
+    std::get<3>(others[2]) = level(2.5, "b", 2);
+    std::get<2>(others[3]) += 1;
+    record("other.mcap", others);
+    EXPECT_EQ(
+        "/tank/level: message 1 at 2.500000000: 'height' is 2.25 in the first and 2.5 in the second\n"
+        "/tank/count: message 1 is of 3.000000000 in the first and 3.000000001 in the second\n",
+        expect(1, {"diff", "one.mcap", "other.mcap"}).out);
+    others = messages();
+    others.pop_back();
+    record("shorter.mcap", others);
+    EXPECT_THAT(expect(1, {"diff", "one.mcap", "shorter.mcap"}).out,
+                HasSubstr("/tank/count: there are 2 messages in the first and 1 in the second"));
+    record("described.mcap", messages(), std::string("# another\n") + kLevel);
+    EXPECT_EQ("/tank/level: the type is described by another text\n",
+              expect(1, {"diff", "one.mcap", "described.mcap"}).out);
+    EXPECT_THAT(expect(2, {"diff", "one.mcap", "none.mcap"}).err, HasSubstr("none.mcap: error: "));
+}
+
+TEST_F(Tool, RecoversWhatIsWhole) {
+    record("run.mcap", messages());
+    const std::string bytes = readText("run.mcap");
+    directory.write("cut.mcap", bytes.substr(0, bytes.size() - 20));  // within the index
+    for (const char* const command : {"info", "cat"})
+        EXPECT_THAT(expect(1, {command, "cut.mcap"}).err, HasSubstr("error: [MCP002] the file ends without its index"));
+    EXPECT_THAT(expect(1, {"recover", "cut.mcap", "-o", "all.mcap"}).out, StartsWith("all.mcap has 4 messages"));
+    directory.write("cut.mcap", bytes.substr(0, bytes.find("oroforge.lost") - 100));  // within a chunk
+    EXPECT_THAT(expect(1, {"info", "cut.mcap"}).err, HasSubstr("error: [MCP002] "));
+    EXPECT_THAT(expect(1, {"cat", "cut.mcap"}).out, HasSubstr("\"height\": 1.5"));
+    const Outcome outcome = expect(1, {"recover", "cut.mcap"});
+    EXPECT_THAT(outcome.err, HasSubstr("cut.mcap: byte "));
+    EXPECT_THAT(outcome.out, StartsWith("cut_recovered.mcap has "));
+    EXPECT_EQ("", expect(0, {"info", "cut_recovered.mcap"}).err);
+    EXPECT_THAT(expect(2, {"recover", "cut.mcap"}).err, HasSubstr("cut_recovered.mcap: error: the file exists"));
+    expect(0, {"recover", "run.mcap", "-o", "whole.mcap"});
+    EXPECT_EQ("", expect(0, {"diff", "run.mcap", "whole.mcap"}).out);
+}
+
+TEST_F(Tool, RefusesWhatIsNoRecording) {
+    directory.write("table.mcap", "TimeStamp a b\n0 1 2\n");
+    directory.write("empty.mcap", "");
+    for (const char* const file : {"table.mcap", "empty.mcap"}) {
+        for (const char* const command : {"info", "cat", "convert", "recover"})
+            EXPECT_THAT(expect(2, {command, file}).err, HasSubstr(std::string(file) + ": byte 0: error: [MCP001]"));
+        EXPECT_FALSE(std::filesystem::exists(directory / (std::string(file, 5) + "_recovered.mcap")));
+    }
+    EXPECT_THAT(expect(2, {"info", "none.mcap"}).err, HasSubstr("none.mcap: error: No such file or directory"));
+    EXPECT_THAT(expect(2, {"info", "."}).err, HasSubstr(".: error: "));
+    EXPECT_THAT(expect(2, {"show", "none.mcap"}).err, HasSubstr("oro-mcap --help explains the command line"));
+    EXPECT_EQ(2, run({}).status);
+    EXPECT_THAT(expect(0, {"--help"}).out, HasSubstr("recover"));
+}
+
+TEST_F(Tool, ReportsMessagesThatDoNotFitTheirSchema) {
+    std::vector<Told> wrong = messages();
+    std::get<3>(wrong[0]).resize(20);
+    std::get<3>(wrong[2]) = level(1, "x", 0);
+    const std::uint32_t many = 0xffffffffU;  // points
+    std::memcpy(&std::get<3>(wrong[2])[4 + 8 + 4 + 2 + 2], &many, sizeof many);
+    record("run.mcap", wrong);
+    const Outcome outcome = expect(1, {"cat", "run.mcap"});
+    EXPECT_THAT(outcome.err, HasSubstr("[MCP012] topic '/tank/level': the message at 1.500000000 does not fit"));
+    EXPECT_THAT(outcome.err, HasSubstr("a list of 4294967295 elements is longer than the rest"));
+    EXPECT_EQ(2, std::count(outcome.out.begin(), outcome.out.end(), '\n'));
+    for (const auto& [schema, why] : std::vector<std::pair<std::string, std::string>>{
+             {"float64\n", "line 1: found 'float64', expected a type and a name"},
+             {"tank/Point p\n", "the type 'tank/Point' of the field 'p' is not described"},
+             {"int8[99999999999] p\n", "line 1: the brackets of 'int8[99999999999]' have no valid number"},
+             {"tank/P p\n===\nMSG: tank/P\ntank/P p\n", "a type contains itself"}}) {
+        record("run.mcap", messages(), schema);
+        EXPECT_THAT(expect(1, {"cat", "run.mcap"}).err, HasSubstr("[MCP012] topic '/tank/level': " + why));
+    }
+}
+
+}  // namespace
