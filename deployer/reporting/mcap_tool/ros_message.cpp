@@ -36,6 +36,9 @@ private:
 
     bool whole(const RosSchema::Struct& one) {
         taker_.beginStruct();
+        // ROS gives a struct without fields a byte. So each element has one, and no list outlasts the message.
+        std::uint8_t filler = 0;
+        if (one.fields.empty() && !take(filler)) return false;
         for (const RosSchema::Field& field : one.fields) {
             taker_.field(field.name);
             if (!(field.many == RosSchema::Field::One ? value(field) : list(field))) return false;

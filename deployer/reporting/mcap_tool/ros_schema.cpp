@@ -19,6 +19,8 @@ constexpr std::pair<std::string_view, Basic> kBasics[] = {
 
 /** Arrays of schemas are at most this long, as messages are. */
 constexpr std::size_t kLongest = std::size_t(1) << 30;
+/** A path goes through twice as many structs at most. */
+constexpr std::size_t kDeepest = 100;
 
 bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
@@ -123,20 +125,23 @@ bool RosSchema::resolve(std::string& why) {
             why = "the type '" + field.type + "' of the field '" + field.name + "' is not described";
             return false;
         }
-    std::vector<char> open(structs_.size());
-    if (isFinite(0, open)) return true;
-    why = "a type contains itself";
-    return false;
+    std::vector<char> known(structs_.size());
+    const char* const wrong = refusal(0, 0, known);
+    if (wrong) why = wrong;
+    return !wrong;
 }
 
-bool RosSchema::isFinite(std::size_t at, std::vector<char>& open) const {
-    if (open[at] == 1) return false;
-    if (open[at] == 2) return true;  // seen before
-    open[at] = 1;
+const char* RosSchema::refusal(std::size_t at, std::size_t depth, std::vector<char>& known) const {
+    constexpr char kOpen = 1, kGood = 2;
+    if (known[at] == kOpen) return "a type contains itself";
+    if (known[at] == kGood) return nullptr;
+    if (depth == kDeepest) return "types nest too deeply";
+    known[at] = kOpen;
     for (const Field& field : structs_[at].fields)
-        if (field.basic == Basic::Struct && !isFinite(field.structAt, open)) return false;
-    open[at] = 2;
-    return true;
+        if (field.basic == Basic::Struct)
+            if (const char* const wrong = refusal(field.structAt, depth + 1, known)) return wrong;
+    known[at] = kGood;
+    return nullptr;
 }
 
 }  // namespace oroforge::mcap

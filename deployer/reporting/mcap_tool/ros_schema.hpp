@@ -68,7 +68,8 @@ public:
 private:
     bool addLine(std::string_view line, std::string& why);
     bool resolve(std::string& why);
-    bool isFinite(std::size_t at, std::vector<char>& open) const;
+    /** Why the types of a struct cannot be walked through; null if they can. */
+    const char* refusal(std::size_t at, std::size_t depth, std::vector<char>& known) const;
 
     std::vector<Struct> structs_;
 };

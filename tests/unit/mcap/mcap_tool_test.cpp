@@ -217,10 +217,20 @@ TEST_F(Tool, ReportsMessagesThatDoNotFitTheirSchema) {
     EXPECT_THAT(outcome.err, HasSubstr("[MCP012] topic '/tank/level': the message at 1.500000000 does not fit"));
     EXPECT_THAT(outcome.err, HasSubstr("a list of 4294967295 elements is longer than the rest"));
     EXPECT_EQ(2, std::count(outcome.out.begin(), outcome.out.end(), '\n'));
+    std::string deep = "a/T1 p\n";
+    for (int i = 1; i != 300; ++i)
+        deep += "===\nMSG: a/T" + std::to_string(i) + "\na/T" + std::to_string(i + 1) + " p\n";
+    deep += "===\nMSG: a/T300\n";
+    // Lists of lists of nothing end with the message.
+    record("run.mcap", messages(), "a/L[1000000000] p\n===\nMSG: a/L\na/E[9] p\n===\nMSG: a/E\n");
+    EXPECT_THAT(expect(1, {"cat", "run.mcap"}).err, HasSubstr("a list of 1000000000 elements is longer than the rest"));
+    record("run.mcap", messages(), "a/L[9] p\n===\nMSG: a/L\na/E[9] p\n===\nMSG: a/E\n");
+    EXPECT_THAT(expect(1, {"cat", "run.mcap"}).err, HasSubstr("[MCP012] topic '/tank/level': the message at 1.5"));
     for (const auto& [schema, why] : std::vector<std::pair<std::string, std::string>>{
              {"float64\n", "line 1: found 'float64', expected a type and a name"},
              {"tank/Point p\n", "the type 'tank/Point' of the field 'p' is not described"},
              {"int8[99999999999] p\n", "line 1: the brackets of 'int8[99999999999]' have no valid number"},
+             {deep, "types nest too deeply"},
              {"tank/P p\n===\nMSG: tank/P\ntank/P p\n", "a type contains itself"}}) {
         record("run.mcap", messages(), schema);
         EXPECT_THAT(expect(1, {"cat", "run.mcap"}).err, HasSubstr("[MCP012] topic '/tank/level': " + why));
