@@ -20,6 +20,9 @@ add_library(orocos-ocl-live SHARED
   live/samples/port_watch.cpp
   live/server/access.cpp
   live/server/find_port.cpp
+  live/server/foxglove_model.cpp
+  live/server/foxglove_session.cpp
+  live/server/foxglove_text.cpp
   live/server/live_client.cpp
   live/server/message_queue.cpp
   live/server/module.cpp

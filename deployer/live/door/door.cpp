@@ -9,6 +9,7 @@
 #include <csignal>
 #include <cstdint>
 #include <cstring>
+#include <ctime>
 
 #include <fcntl.h>
 #include <poll.h>
@@ -84,8 +85,13 @@ void Door::wait() {
         pollfd polled[] = {{ending_.get(), POLLIN, 0}, {listener_, POLLIN, 0}};
         const int count = ::poll(polled, exhausted ? 1 : 2, exhausted ? kPause : -1);
         if (polled[0].revents != 0) return;
-        if (count < 0 && errno != EINTR) return;
-        if (!exhausted && count > 0) {
+        if (count < 0 && errno != EINTR) {
+            // The limit of open files is below the two that are waited for, or the kernel has no memory.
+            std::uint64_t ended = 0;
+            if (::read(ending_.get(), &ended, sizeof ended) > 0) return;
+            const timespec pause{0, kPause * 1000000L};
+            (void)::nanosleep(&pause, nullptr);
+        } else if (!exhausted && count > 0) {
             Descriptor client = acceptClient(exhausted);
             if (client) return enter_(std::move(client));
         } else {

@@ -25,6 +25,8 @@ public:
     virtual void forward(std::uint64_t client, const nlohmann::json& request, const Caller& caller) = 0;
     /** Watches "Arm.service.port". Throws Failure if it cannot be watched. */
     virtual std::unique_ptr<PortWatch> watch(const std::string& path, const PortWatch::Options& options) = 0;
+    /** The channel of Foxglove for an output port, without its id. False, with the reason, if it can be none. */
+    virtual bool describe(const std::string& path, nlohmann::json& channel, std::string& why) = 0;
     /** A client wants ticks or lines of the log, or does not any more. */
     virtual void wantsChanged() = 0;
 

@@ -2,6 +2,8 @@
 // Copyright Oroforge contributors
 #include "live_client.hpp"
 
+#include "foxglove_session.hpp"
+#include "foxglove_text.hpp"
 #include "oro_messages.hpp"
 #include "text_depth.hpp"
 
@@ -13,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t kMostBytes = 1024 * 1024, kDeepest = 32;
+constexpr std::size_t kMostBytes = 1024 * 1024;
 constexpr unsigned kMostOutstanding = 64;
 
 /** An id is sent back with each sample. */
@@ -23,8 +25,10 @@ bool isId(const json& id) {
 
 }  // namespace
 
-LiveClient::LiveClient(Host& host, std::uint64_t number, Caller caller, Link& link, bool)
-    : host_(host), number_(number), caller_(std::move(caller)), link_(link), queue_(kMostBytes), streams_(*this) {}
+LiveClient::LiveClient(Host& host, std::uint64_t number, Caller caller, Link& link, bool speaksFoxglove)
+    : host_(host), number_(number), caller_(std::move(caller)), link_(link), queue_(kMostBytes), streams_(*this) {
+    if (speaksFoxglove) foxglove_ = std::make_unique<FoxgloveSession>(*this);
+}
 
 LiveClient::~LiveClient() = default;
 
@@ -46,21 +50,28 @@ void LiveClient::forwarded(std::string text) {
 }
 
 void LiveClient::receive(std::string_view message, bool isBinary) {
-    if (isBinary)
+    if (isBinary && foxglove_)
+        foxglove_->receiveBinary(message);
+    else if (isBinary)
         sendText(oroError(nullptr, kMalformed, "messages of oro.v1 are texts"));
     else
         receiveText(message);
 }
 
 void LiveClient::receiveText(std::string_view text) {
-    if (depthOf(text) > kDeepest)
-        return sendText(oroError(nullptr, kMalformed, "the message nests deeper than 32 levels"));
+    const auto fail = [this](const char* what) {
+        sendText(foxglove_ ? foxgloveStatus(2, what) : oroError(nullptr, kMalformed, what));
+    };
+    if (isTooDeep(text)) return fail("the message nests deeper than 32 levels");
     const json message = json::parse(text.begin(), text.end(), nullptr, /*allow_exceptions=*/false);
-    if (!message.is_object()) return sendText(oroError(nullptr, kMalformed, "the message is not a JSON object"));
+    if (!message.is_object()) return fail("the message is not a JSON object");
     const auto op = message.find("op");
-    if (op == message.end() || !op->is_string())
-        return sendText(oroError(nullptr, kMalformed, "the message has no text 'op'"));
-    receiveOro(message, op->get<std::string>());
+    if (op == message.end() || !op->is_string()) return fail("the message has no text 'op'");
+    const std::string verb = op->get<std::string>();
+    if (foxglove_ && verb.compare(0, 4, "oro.") != 0)
+        foxglove_->receive(message, verb);
+    else
+        receiveOro(message, verb);
 }
 
 void LiveClient::receiveOro(const json& message, const std::string& op) {
@@ -74,15 +85,20 @@ void LiveClient::receiveOro(const json& message, const std::string& op) {
 
 void LiveClient::onTick(std::int64_t now) {
     streams_.onTick(now);
+    if (foxglove_) foxglove_->onTick(now);
     link_.wake();
 }
 
 void LiveClient::onLines(const std::vector<LogLine>& lines, std::uint64_t dropped) {
     streams_.onLines(lines, dropped);
+    if (foxglove_) foxglove_->onLines(lines);
     link_.wake();
 }
 
-unsigned LiveClient::wantedPeriod() const { return streams_.hasWatches() ? kWatchPeriod : 0; }
-bool LiveClient::wantsLines() const { return streams_.wantsLines(); }
+unsigned LiveClient::wantedPeriod() const {
+    if (streams_.hasWatches()) return kWatchPeriod;
+    return foxglove_ ? foxglove_->wantedPeriod() : 0;
+}
+bool LiveClient::wantsLines() const { return streams_.wantsLines() || (foxglove_ && foxglove_->wantsLines()); }
 
 }  // namespace OCL::live

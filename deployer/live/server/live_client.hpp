@@ -10,11 +10,14 @@
 #include "transport.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace OCL::live {
+
+class FoxgloveSession;
 
 /** One client: reads its messages and collects what it gets. Used by the thread of the transport only. */
 class LiveClient final : public Client {
@@ -30,14 +33,14 @@ public:
     const Caller& caller() const { return caller_; }
     std::uint64_t number() const { return number_; }
     Host& host() { return host_; }
+    /** See Host::ask(). */
+    void ask(const nlohmann::json& request, Host::Then then) { host_.ask(number_, request, caller_, std::move(then)); }
     MessageQueue& queue() { return queue_; }
 
     void sendText(std::string text);
     void sendBinary(std::string bytes);
     /** The answer to something that was forwarded. */
     void forwarded(std::string text);
-    /** There may be samples to send. */
-    void wake() { link_.wake(); }
 
     void onTick(std::int64_t now);
     void onLines(const std::vector<LogLine>& lines, std::uint64_t dropped);
@@ -55,6 +58,7 @@ private:
     Link& link_;
     MessageQueue queue_;
     OroStreams streams_;
+    std::unique_ptr<FoxgloveSession> foxglove_;  // null: it speaks oro.v1 only
     unsigned outstanding_ = 0;  // forwarded, not answered
 };
 

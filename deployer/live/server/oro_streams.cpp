@@ -113,8 +113,9 @@ void OroStreams::log(const json& message, const json& id) {
     made.before = lostLines_;
     if (!logs_.emplace(textOf(id), made).second)
         return client_.sendText(oroError(id, kMalformed, "a stream of the log has this id already"));
-    client_.sendText(oroAnswer(id, json::object()));
+    // First, so that the client gets what is logged after the answer.
     client_.host().wantsChanged();
+    client_.sendText(oroAnswer(id, json::object()));
 }
 
 void OroStreams::end(const json& message, const json& id, const char* field) {

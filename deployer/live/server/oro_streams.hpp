@@ -58,7 +58,7 @@ private:
     LiveClient& client_;
     std::map<std::string, Watch> watches_;  // by the text of their ids
     std::map<std::string, Log> logs_;
-    std::uint64_t lastChannel_ = 0;
+    std::uint64_t lastChannel_ = std::uint64_t(1) << 32U;  // those below are subscriptions of Foxglove
     std::uint64_t lostLines_ = 0;
 };
 

@@ -82,8 +82,10 @@ std::unique_ptr<Client> Server::welcome(const RequestHead& head, const std::stri
                               ? Rights{true, true, true, true, true}
                               : Rights{webMay_.properties, webMay_.operations, webMay_.lifecycle, false, false};
     RTT::log(RTT::Info) << "live window: client " << number << " is " << name << RTT::endlog();
-    return std::make_unique<Guest>(*this, number, Caller{name + ", client " + std::to_string(number), rights}, link,
-                                   !protocol.empty() && protocol != kOro);
+    auto guest = std::make_unique<Guest>(*this, number, Caller{name + ", client " + std::to_string(number), rights}, link,
+                                         !protocol.empty() && protocol != kOro);
+    wantsChanged();
+    return guest;
 }
 
 void Server::left(const LiveClient& client) {
@@ -116,6 +118,21 @@ void Server::forward(std::uint64_t client, const json& request, const Caller& ca
 
 std::unique_ptr<PortWatch> Server::watch(const std::string& path, const PortWatch::Options& options) {
     return watchPort(root_, path, options);
+}
+
+bool Server::describe(const std::string& path, json& channel, std::string& why) {
+    RTT::encoding::SchemaText schema;
+    try {
+        if (!describePort(root_, path, schema, why)) return false;
+    } catch (const Failure& failure) {
+        why = failure.what();
+        return false;
+    }
+    channel = {{"encoding", "cdr"},
+               {"schemaName", schema.name},
+               {"schema", schema.text},
+               {"schemaEncoding", schema.encoding}};
+    return true;
 }
 
 void Server::onTick() {

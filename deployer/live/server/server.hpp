@@ -34,6 +34,7 @@ public:
 
 private:
     void loop() override;
+    bool breakLoop() override { return true; }  // it is ending already
     // Reception
     Verdict judge(const RequestHead& head) override;
     std::unique_ptr<Client> welcome(const RequestHead& head, const std::string& protocol, const std::string& name,
@@ -43,6 +44,7 @@ private:
     void ask(std::uint64_t client, const nlohmann::json& request, const Caller& caller, Then then) override;
     void forward(std::uint64_t client, const nlohmann::json& request, const Caller& caller) override;
     std::unique_ptr<PortWatch> watch(const std::string& path, const PortWatch::Options& options) override;
+    bool describe(const std::string& path, nlohmann::json& channel, std::string& why) override;
     void wantsChanged() override;
     class Guest;
 

@@ -38,7 +38,8 @@ typedef boost::system::error_code Error;
 constexpr std::size_t kMostClients = 16, kMostHandshakes = 32, kLongestMessage = 64 * 1024, kLongestHead = 8 * 1024;
 constexpr std::chrono::seconds kHandshake(10);
 constexpr std::chrono::milliseconds kFarewell(200), kAcceptPause(100);
-constexpr int kAcceptedAtOnce = 64;
+/** Fewer than handshakes, so that those of others go on in between. */
+constexpr int kAcceptedAtOnce = 8;
 
 }  // namespace
 
@@ -65,7 +66,7 @@ public:
     }
     std::size_t clients(bool isLocal) const;
     void forget(const Connection* connection);
-    void dropOldestHandshake();
+    void dropOldestHandshake(bool isLocal);
 
     net::io_context context{1};
     Reception& reception;
@@ -185,6 +186,7 @@ private:
             if (!protocol.empty()) response.set(http::field::sec_websocket_protocol, protocol);
         }));
         stream_.read_message_max(kLongestMessage);
+        stream_.auto_fragment(false);
         stream_.async_accept(parser_->get(), [self = shared_from_this(), protocol](Error error) {
             if (error) return self->cut();
             self->opened(protocol);
@@ -288,16 +290,14 @@ void Transport::Impl::begin(int socket, bool isLocal) {
         return;
     }
     connections_.back()->start();
-    dropOldestHandshake();
+    dropOldestHandshake(isLocal);
 }
 
-void Transport::Impl::dropOldestHandshake() {
-    std::size_t count = 0;
-    for (const auto& connection : connections_) count += connection->isOpen() ? 0 : 1;
-    if (count <= kMostHandshakes) return;
-    const auto oldest =
-        std::find_if(connections_.begin(), connections_.end(), [](const auto& one) { return !one->isOpen(); });
-    const std::shared_ptr<Connection> dropped = *oldest;
+void Transport::Impl::dropOldestHandshake(bool isLocal) {
+    const auto isOne = [&](const auto& one) { return one->isLocal == isLocal && !one->isOpen(); };
+    const auto count = std::count_if(connections_.begin(), connections_.end(), isOne);
+    if (static_cast<std::size_t>(count) <= kMostHandshakes) return;
+    const std::shared_ptr<Connection> dropped = *std::find_if(connections_.begin(), connections_.end(), isOne);
     dropped->cut();
 }
 
