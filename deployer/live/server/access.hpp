@@ -21,9 +21,9 @@ struct WebAccess {
 };
 
 /**
- * Decides whether a client may open a WebSocket; another one gets a status and a line that says why. A browser sends the page's host as
- * Origin, and the host of the URL as Host; a page of a foreign site has another one, also if its name leads here (DNS
- * rebinding). So neither gets in, even with the token.
+ * Decides whether a client may open a WebSocket; another one gets a status and a line that says why. A browser sends
+ * the page's host as Origin, and the host of the URL as Host; a page of a foreign site has another one, also if its
+ * name leads here (DNS rebinding). So neither gets in, even with the token.
  */
 Verdict judgeRequest(const RequestHead& head, const WebAccess& access);
 

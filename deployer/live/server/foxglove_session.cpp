@@ -104,7 +104,8 @@ void FoxgloveSession::unsubscribe(const json& message) {
 }
 
 unsigned FoxgloveSession::wantedPeriod() const {
-    return std::any_of(subscriptions_.begin(), subscriptions_.end(), [](const auto& one) { return one.second.port != nullptr; })
+    return std::any_of(subscriptions_.begin(), subscriptions_.end(),
+                       [](const auto& one) { return one.second.port != nullptr; })
                ? kWatchPeriod
                : kPollPeriod;
 }
@@ -179,14 +180,14 @@ void FoxgloveSession::setParameters(const json& message) {
                                      ? parameter["name"].get<std::string>()
                                      : std::string();
         const json value = parameter.is_object() ? parameter.value("value", json()) : json();
-        client_.ask({{"op", "oro.set"}, {"id", 0}, {"path", name}, {"value", value}},
-                    [this, name, id](LiveClient&, const json& answer) {
-                        if (answer.count("result") == 0) return warn(answer.value("message", "it was not set"));
-                        json made = {{"op", "parameterValues"},
-                                     {"parameters", {foxgloveParameter(name, answer["result"])}}};
-                        if (id.is_string()) made["id"] = id;
-                        client_.sendText(textOf(made));
-                    });
+        client_.ask(
+            {{"op", "oro.set"}, {"id", 0}, {"path", name}, {"value", value}},
+            [this, name, id](LiveClient&, const json& answer) {
+                if (answer.count("result") == 0) return warn(answer.value("message", "it was not set"));
+                json made = {{"op", "parameterValues"}, {"parameters", {foxgloveParameter(name, answer["result"])}}};
+                if (id.is_string()) made["id"] = id;
+                client_.sendText(textOf(made));
+            });
     }
 }
 
@@ -213,12 +214,9 @@ void FoxgloveSession::updateGraph() {
             from[topicOf(out)].insert(out.substr(0, out.find('.')));
             to[topicOf(out)].insert(in.substr(0, in.find('.')));
         }
-        json made = {{"op", "connectionGraphUpdate"},
-                     {"publishedTopics", json::array()},
-                     {"subscribedTopics", json::array()},
-                     {"advertisedServices", json::array()},
-                     {"removedTopics", json::array()},
-                     {"removedServices", json::array()}};
+        json made = {{"op", "connectionGraphUpdate"},     {"publishedTopics", json::array()},
+                     {"subscribedTopics", json::array()}, {"advertisedServices", json::array()},
+                     {"removedTopics", json::array()},    {"removedServices", json::array()}};
         for (const auto& [topic, ids] : from)
             made["publishedTopics"].push_back({{"name", topic}, {"publisherIds", ids}});
         for (const auto& [topic, ids] : to)

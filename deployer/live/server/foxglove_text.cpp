@@ -68,12 +68,9 @@ json foxgloveLogChannel() {
                            {"name", text},
                            {"file", text},
                            {"line", number}}}};
-    return {{"id", kLogChannel},
-            {"topic", "/rosout"},
-            {"encoding", "json"},
-            {"schemaName", "foxglove.Log"},
-            {"schema", textOf(schema)},
-            {"schemaEncoding", "jsonschema"}};
+    return {{"id", kLogChannel},        {"topic", "/rosout"},
+            {"encoding", "json"},       {"schemaName", "foxglove.Log"},
+            {"schema", textOf(schema)}, {"schemaEncoding", "jsonschema"}};
 }
 
 std::string foxgloveLogLine(const LogLine& line) {

@@ -59,7 +59,7 @@ private:
     MessageQueue queue_;
     OroStreams streams_;
     std::unique_ptr<FoxgloveSession> foxglove_;  // null: it speaks oro.v1 only
-    unsigned outstanding_ = 0;  // forwarded, not answered
+    unsigned outstanding_ = 0;                   // forwarded, not answered
 };
 
 }  // namespace OCL::live

@@ -82,8 +82,8 @@ std::unique_ptr<Client> Server::welcome(const RequestHead& head, const std::stri
                               ? Rights{true, true, true, true, true}
                               : Rights{webMay_.properties, webMay_.operations, webMay_.lifecycle, false, false};
     RTT::log(RTT::Info) << "live window: client " << number << " is " << name << RTT::endlog();
-    auto guest = std::make_unique<Guest>(*this, number, Caller{name + ", client " + std::to_string(number), rights}, link,
-                                         !protocol.empty() && protocol != kOro);
+    auto guest = std::make_unique<Guest>(*this, number, Caller{name + ", client " + std::to_string(number), rights},
+                                         link, !protocol.empty() && protocol != kOro);
     wantsChanged();
     return guest;
 }
@@ -128,10 +128,8 @@ bool Server::describe(const std::string& path, json& channel, std::string& why) 
         why = failure.what();
         return false;
     }
-    channel = {{"encoding", "cdr"},
-               {"schemaName", schema.name},
-               {"schema", schema.text},
-               {"schemaEncoding", schema.encoding}};
+    channel = {
+        {"encoding", "cdr"}, {"schemaName", schema.name}, {"schema", schema.text}, {"schemaEncoding", schema.encoding}};
     return true;
 }
 

@@ -70,7 +70,8 @@ protected:
  * WebSockets over sockets of any kind, in one thread.
  *
  * At most 16 clients of the Unix socket and 16 others are served. A handshake that takes longer than 10 s is ended;
- * if more than 32 are in progress at one of the two, so is the oldest. A message of more than 64 KiB ends the connection.
+ * if more than 32 are in progress at one of the two, so is the oldest. A message of more than 64 KiB ends the
+ * connection.
  */
 class Transport {
 public:

@@ -61,7 +61,8 @@ public:
         command.timeout = std::chrono::seconds(30);
         child = std::make_unique<ChildProcess>(command);
         if (web) EXPECT_TRUE(child->waitForOutput("live window", std::chrono::seconds(20)));
-        for (int i = 0; i < 500 && socketFile().empty(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        for (int i = 0; i < 500 && socketFile().empty(); ++i)
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
     std::string socketFile() const {
         const fs::path folder = directory / "oroforge";
@@ -149,8 +150,7 @@ TEST(LiveAttacks, RequestsAreRefused) {
         ASSERT_TRUE(client.send(attack.bytes)) << attack.name;
         const std::string answer = client.all(3000);
         EXPECT_EQ(std::string::npos, answer.find(" 101 ")) << attack.name;
-        if (*attack.status)
-            EXPECT_EQ(std::string("HTTP/1.1 ") + attack.status, answer.substr(0, 12)) << attack.name;
+        if (*attack.status) EXPECT_EQ(std::string("HTTP/1.1 ") + attack.status, answer.substr(0, 12)) << attack.name;
         EXPECT_TRUE(client.closes(0)) << attack.name;
         EXPECT_EQ(std::string::npos, answer.find("root:")) << attack.name;
         EXPECT_EQ(std::string::npos, answer.find(kToken)) << attack.name;
@@ -223,7 +223,8 @@ TEST(LiveAttacks, WrongMessagesAreAnsweredByErrors) {
         ASSERT_TRUE(fox.send(RawClient::frame(text)));
         EXPECT_FALSE(fox.hear("status").is_null()) << text;
     }
-    for (const std::string& bytes : {std::string(), std::string("\x02"), std::string("\x02\x01\0\0\0\x01\0\0\0\xff\xff\xff\xff{}", 15)}) {
+    for (const std::string& bytes :
+         {std::string(), std::string("\x02"), std::string("\x02\x01\0\0\0\x01\0\0\0\xff\xff\xff\xff{}", 15)}) {
         ASSERT_TRUE(fox.send(RawClient::frame(bytes, 0x82)));
         EXPECT_FALSE(fox.hear("status").is_null());
     }
@@ -254,7 +255,8 @@ TEST(LiveAttacks, TheSeventeenthClientIsToldWhy) {
         ASSERT_TRUE(clients.back().open("oro.v1", Target::target()));
     }
     RawClient more = target.web();
-    ASSERT_TRUE(more.send("GET " + Target::target() + " HTTP/1.1\r\nHost: localhost\r\n" + RawClient::upgrade("oro.v1") + "\r\n"));
+    ASSERT_TRUE(more.send("GET " + Target::target() + " HTTP/1.1\r\nHost: localhost\r\n" +
+                          RawClient::upgrade("oro.v1") + "\r\n"));
     EXPECT_EQ("HTTP/1.1 503", more.all(3000).substr(0, 12));
     RawClient local = target.local();
     EXPECT_TRUE(local.open()) << "clients of the web took the places of the user's own";
@@ -314,7 +316,7 @@ TEST(LiveAttacks, WithoutFilesItWaits) {
         std::this_thread::sleep_for(std::chrono::milliseconds(700));
         EXPECT_LT(timeOf(target.child->pid()) - begin, 0.1);
         ASSERT_EQ(0, ::prlimit(target.child->pid(), RLIMIT_NOFILE, &before, nullptr));
-        EXPECT_TRUE(client.open());
+        EXPECT_TRUE(client.open()) << "loaded: " << loaded;
     }
 }
 

@@ -94,7 +94,7 @@ TEST(WebAddress, HasAddressAndPort) {
         const char* text;
         const char* host;
         unsigned port;
-    } good[] = {{"127.0.0.1:8765", "127.0.0.1", 8765}, {"0", "127.0.0.1", 0},          {":9", "127.0.0.1", 9},
+    } good[] = {{"127.0.0.1:8765", "127.0.0.1", 8765}, {"0", "127.0.0.1", 0},         {":9", "127.0.0.1", 9},
                 {"localhost:1", "127.0.0.1", 1},       {"[::1]:65535", "::1", 65535}, {"[::1]", "::1", 8765},
                 {"0.0.0.0", "0.0.0.0", 8765}};
     WebAddress address;
@@ -104,8 +104,8 @@ TEST(WebAddress, HasAddressAndPort) {
         EXPECT_EQ(row.host, address.host) << row.text;
         EXPECT_EQ(row.port, address.port) << row.text;
     }
-    for (const char* text : {"robot", "robot:1", "127.0.0.1:", "127.0.0.1:65536", "127.0.0.1:-1", "[::1", "[::1]x:1", "::1",
-                             "127.0.0.1:8x", "1.2.3"})
+    for (const char* text : {"robot", "robot:1", "127.0.0.1:", "127.0.0.1:65536", "127.0.0.1:-1", "[::1", "[::1]x:1",
+                             "::1", "127.0.0.1:8x", "1.2.3"})
         EXPECT_FALSE(parseWebAddress(text, address, error)) << text;
     EXPECT_TRUE(parseWebAddress("127.8.8.8", address, error) && address.isLoopback());
     EXPECT_FALSE(parseWebAddress("0.0.0.0", address, error) && address.isLoopback());

@@ -34,7 +34,9 @@ public:
         address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
         return RawClient(AF_INET, reinterpret_cast<const sockaddr*>(&address), sizeof address);
     }
-    RawClient(RawClient&& other) noexcept : socket_(other.socket_), rest_(std::move(other.rest_)) { other.socket_ = -1; }
+    RawClient(RawClient&& other) noexcept : socket_(other.socket_), rest_(std::move(other.rest_)) {
+        other.socket_ = -1;
+    }
     ~RawClient() {
         if (socket_ >= 0) ::close(socket_);
     }
@@ -109,7 +111,8 @@ public:
     }
 
 private:
-    RawClient(int family, const sockaddr* address, socklen_t size) : socket_(::socket(family, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+    RawClient(int family, const sockaddr* address, socklen_t size)
+        : socket_(::socket(family, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
         if (::connect(socket_, address, size) == 0) return;
         ::close(socket_);
         socket_ = -1;
