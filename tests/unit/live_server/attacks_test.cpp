@@ -61,8 +61,17 @@ public:
         command.timeout = std::chrono::seconds(30);
         child = std::make_unique<ChildProcess>(command);
         if (web) EXPECT_TRUE(child->waitForOutput("live window", std::chrono::seconds(20)));
-        for (int i = 0; i < 500 && socketFile().empty(); ++i)
-            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        for (int i = 0; i < 1000 && !hasConsole(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    /** Then it has started. */
+    bool hasConsole() const {
+        std::error_code none;
+        for (const auto& task : fs::directory_iterator("/proc/" + std::to_string(child->pid()) + "/task", none)) {
+            std::string name;
+            std::ifstream file(task.path() / "comm");
+            if (std::getline(file, name) && name == "TaskBrowser") return true;
+        }
+        return false;
     }
     std::string socketFile() const {
         const fs::path folder = directory / "oroforge";
@@ -307,6 +316,7 @@ TEST(LiveAttacks, WithoutFilesItWaits) {
             first = std::make_unique<RawClient>(target.local());
             ASSERT_TRUE(first->open());
         }
+        std::this_thread::sleep_for(std::chrono::milliseconds(200));  // until what has started is asleep
         rlimit before{}, none{0, 0};
         ASSERT_EQ(0, ::prlimit(target.child->pid(), RLIMIT_NOFILE, nullptr, &before));
         none.rlim_max = before.rlim_max;
