@@ -44,6 +44,10 @@ LAYER_OF = {
     "deployer/fbsched/": "ocl",             # <fbsched/fbsched.hpp>, a kept name
     "deployer/deployment/": "deployment",
     "deployer/console/": "console",
+    "deployer/live/door/": "live_door",
+    "deployer/live/requests/": "live_requests",
+    "deployer/live/samples/": "live_samples",
+    "deployer/live/server/": "live_server",
     "deployer/lua/": "lua",
     "deployer/reporting/": "reporting",
     "deployer/reporting/mcap/": "mcap",     # the file format alone
@@ -112,6 +116,10 @@ MAY_INCLUDE = {
     "ocl": API | {"umbrella", "plugin", "extras", "marsh", "loader"},
     "deployment": DEPLOYER | {"corba", "cpf"},
     "console": DEPLOYER,
+    "live_door": set(),                     # in every deployment: neither JSON nor Beast
+    "live_samples": DEPLOYER | {"encoding"},
+    "live_server": DEPLOYER | {"encoding", "live_door", "live_requests", "live_samples"},
+    "live_requests": DEPLOYER | {"encoding", "console"},
     "lua": DEPLOYER,
     "mcap": set(),
     "mcap_tool": {"diag", "mcap"},          # a program without the runtime
@@ -120,7 +128,7 @@ MAY_INCLUDE = {
     "components": DEPLOYER,
     "chain": DEPLOYER,
     "rt_check": set(),                      # preloaded: it must not bring the runtime along
-    "bin": DEPLOYER | {"deployment", "console", "lua", "reporting", "logging", "components", "chain", "rt_check", "corba", "report"},
+    "bin": DEPLOYER | {"deployment", "console", "lua", "reporting", "logging", "components", "chain", "rt_check", "corba", "report", "live_door"},
     "model": {"diag"},
     "manifest": LEAFS | {"model"},
     "adapters": LEAFS,
@@ -161,7 +169,8 @@ FOREIGN = {
     r"(histedit\.h|editline/|readline/)": ["deployer/console/"],
     r"(ros|roscpp|tf2?|actionlib|dynamic_reconfigure)/": ["ros/", "tests/unit/ros_", "bench/ros_"],
     # Of the runtime, what stays out of components and their libraries.
-    r"nlohmann/": ["runtime/report/", "runtime/rtt/encoding/", "deployer/logging/", "generator/", "typekit_gen/", "tests/"],
+    r"nlohmann/": ["runtime/report/", "runtime/rtt/encoding/", "deployer/live/", "deployer/logging/", "generator/", "typekit_gen/", "tests/"],
+    r"boost/(asio|beast)(/|\.hpp)": ["deployer/live/server/transport.cpp", "deployer/live/client/", "tests/unit/live/", "tests/fuzz/"],
     r"kainjow/": ["generator/render/"],
     r"CLI/": ["generator/driver/", "typekit_gen/driver/", "deployer/"],
     r"(gtest|gmock)/": ["tests/", "templates/", "examples/"],    # packages bring a test
@@ -181,7 +190,7 @@ def shared_headers():
 # Installed headers: a user's compiler must find all that they include.
 INSTALLED = ["runtime/rtt/", "deployer/ocl/"]
 NOT_INSTALLED = ["runtime/cpf/", "runtime/diag/", "runtime/files/", "runtime/report/", "runtime/xml/", "runtime/rtt/typekit/detail/", "deployer/deployment/",
-                 "deployer/console/", "deployer/lua/", "deployer/reporting/", "deployer/logging/",
+                 "deployer/console/", "deployer/live/", "deployer/lua/", "deployer/reporting/", "deployer/logging/",
                  "deployer/components/", "deployer/chain/", "deployer/rt_check/", "deployer/bin/", "generator/", "typekit_gen/",
                  *shared_headers()]
 

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "foxglove_session.hpp"
+
+#include "../requests/failure.hpp"
+#include "foxglove_text.hpp"
+#include "live_client.hpp"
+#include "oro_messages.hpp"
+#include "text_depth.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+namespace OCL::live {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::int64_t kPoll = 1000000000, kTimes = 100000000;  // ns
+constexpr unsigned kPollPeriod = 250, kBuffer = 128, kMostAtOnce = 2000;
+constexpr std::size_t kMostSubscriptions = 1024;
+
+std::vector<json> listOf(const json& message, const char* name) {
+    const auto found = message.find(name);
+    return found == message.end() || !found->is_array() ? std::vector<json>() : found->get<std::vector<json>>();
+}
+
+std::uint32_t numberOf(const json& from, const char* name) {
+    const auto found = from.is_object() ? from.find(name) : from.end();
+    const bool good = from.is_object() && found != from.end() && found->is_number_unsigned() && *found <= UINT32_MAX;
+    return good ? found->get<std::uint32_t>() : 0;
+}
+
+std::set<std::string> namesOf(const json& message) {
+    std::set<std::string> names;
+    for (const json& name : listOf(message, "parameterNames"))
+        if (name.is_string()) names.insert(name.get<std::string>());
+    return names;
+}
+
+}  // namespace
+
+FoxgloveSession::FoxgloveSession(LiveClient& client) : client_(client), model_(client) {
+    client_.sendText(foxgloveServerInfo("Oroforge", std::to_string(wallTime()), client.caller().rights.operations));
+    client_.sendText(textOf({{"op", "advertise"}, {"channels", {foxgloveLogChannel()}}}));
+}
+
+void FoxgloveSession::warn(const std::string& text) { client_.sendText(foxgloveStatus(2, text)); }
+
+void FoxgloveSession::receive(const json& message, const std::string& op) {
+    if (op == "subscribe") return subscribe(message);
+    if (op == "unsubscribe") return unsubscribe(message);
+    if (op == "getParameters") return getParameters(message);
+    if (op == "setParameters") return setParameters(message);
+    if (op == "subscribeParameterUpdates") return followed_.merge(namesOf(message));
+    if (op == "unsubscribeParameterUpdates") {
+        for (const std::string& name : namesOf(message)) followed_.erase(name), lastValues_.erase(name);
+        return;
+    }
+    if (op == "subscribeConnectionGraph" || op == "unsubscribeConnectionGraph") {
+        wantsGraph_ = op[0] == 's';
+        lastGraph_.clear();
+        return;
+    }
+    warn("'" + op + "' is not offered; ports are not written, and there are no files");
+}
+
+void FoxgloveSession::subscribe(const json& message) {
+    for (const json& wanted : listOf(message, "subscriptions")) {
+        const std::uint32_t id = numberOf(wanted, "id"), channel = numberOf(wanted, "channelId");
+        const FoxgloveModel::Channel* const found = model_.channel(channel);
+        const bool isUsed = subscriptions_.count(id) != 0 || logs_.count(id) != 0;
+        if (isUsed || subscriptions_.size() >= kMostSubscriptions) {
+            warn("subscription " + std::to_string(id) + " exists already, or there are 1024");
+        } else if (channel == kLogChannel) {
+            logs_.insert(id);
+        } else if (found) {
+            Subscription& made = subscriptions_[id];
+            made.path = found->path;
+            watch(made);
+        } else {
+            warn("there is no channel " + std::to_string(channel));
+        }
+    }
+    client_.host().wantsChanged();
+}
+
+void FoxgloveSession::watch(Subscription& subscription, bool again) {
+    try {
+        subscription.port = client_.host().watch(subscription.path, {SampleForm::Cdr, kBuffer});
+    } catch (const Failure& failure) {
+        if (!again) warn(failure.what());
+    }
+}
+
+void FoxgloveSession::unsubscribe(const json& message) {
+    for (const json& id : listOf(message, "subscriptionIds")) {
+        if (!id.is_number_unsigned()) continue;
+        const auto number = id.get<std::uint32_t>();
+        if (subscriptions_.erase(number) + logs_.erase(number) != 0) client_.queue().forget(number);
+    }
+    client_.host().wantsChanged();
+}
+
+unsigned FoxgloveSession::wantedPeriod() const {
+    return std::any_of(subscriptions_.begin(), subscriptions_.end(),
+                       [](const auto& one) { return one.second.port != nullptr; })
+               ? kWatchPeriod
+               : kPollPeriod;
+}
+
+void FoxgloveSession::onTick(std::int64_t now) {
+    for (auto& [id, subscription] : subscriptions_) readAll(id, subscription);
+    if (now >= nextTime_) {
+        nextTime_ = now + kTimes;
+        client_.queue().addSample(0, {foxgloveTime(static_cast<std::uint64_t>(wallTime())), true});
+    }
+    if (now < nextPoll_) return;
+    nextPoll_ = now + kPoll;
+    model_.poll();
+    for (auto& [id, subscription] : subscriptions_)
+        if (!subscription.port) watch(subscription, /*again=*/true);
+    if (!followed_.empty()) updateParameters();
+    if (wantsGraph_) updateGraph();
+}
+
+void FoxgloveSession::readAll(std::uint32_t id, Subscription& subscription) {
+    if (!subscription.port) return;
+    const bool isConnected = subscription.port->isConnected();
+    std::string value;
+    for (unsigned i = 0; i != kMostAtOnce && subscription.port->read(value); ++i)
+        if (!value.empty())
+            client_.queue().addSample(id, {foxgloveData(id, static_cast<std::uint64_t>(wallTime()), value), true});
+    // The component may come back.
+    if (!isConnected) subscription.port.reset();
+}
+
+void FoxgloveSession::onLines(const std::vector<LogLine>& lines) {
+    for (const std::uint32_t id : logs_)
+        for (const LogLine& line : lines)
+            client_.queue().addSample(
+                id, {foxgloveData(id, static_cast<std::uint64_t>(line.time), foxgloveLogLine(line)), true});
+}
+
+void FoxgloveSession::collect(std::vector<std::string> owners, Parameters known, Use use) {
+    if (owners.empty()) return use(known);
+    const std::string path = owners.back();
+    owners.pop_back();
+    // One after another: a client has a share of the threads only.
+    client_.ask({{"op", "oro.show"}, {"id", 0}, {"path", path}},
+                [this, path, owners, known, use](LiveClient&, const json& answer) {
+                    Parameters more = known;
+                    if (answer.count("result") != 0)
+                        for (const json& property : answer["result"].value("properties", json::array())) {
+                            const std::string name = path + "." + property.value("name", "");
+                            more[name] = foxgloveParameter(name, property);
+                        }
+                    collect(owners, std::move(more), use);
+                });
+}
+
+void FoxgloveSession::getParameters(const json& message) {
+    const std::set<std::string> names = namesOf(message);
+    const json id = message.value("id", json());
+    collect(model_.owners(), {}, [this, names, id](const Parameters& all) {
+        json values = json::array();
+        for (const auto& [name, value] : all)
+            if (names.empty() || names.count(name) != 0) values.push_back(value);
+        json answer = {{"op", "parameterValues"}, {"parameters", values}};
+        if (id.is_string()) answer["id"] = id;
+        client_.sendText(textOf(answer));
+    });
+}
+
+void FoxgloveSession::setParameters(const json& message) {
+    const json id = message.value("id", json());
+    for (const json& parameter : listOf(message, "parameters")) {
+        const std::string name = parameter.is_object() && parameter.count("name") != 0 && parameter["name"].is_string()
+                                     ? parameter["name"].get<std::string>()
+                                     : std::string();
+        const json value = parameter.is_object() ? parameter.value("value", json()) : json();
+        client_.ask(
+            {{"op", "oro.set"}, {"id", 0}, {"path", name}, {"value", value}},
+            [this, name, id](LiveClient&, const json& answer) {
+                if (answer.count("result") == 0) return warn(answer.value("message", "it was not set"));
+                json made = {{"op", "parameterValues"}, {"parameters", {foxgloveParameter(name, answer["result"])}}};
+                if (id.is_string()) made["id"] = id;
+                client_.sendText(textOf(made));
+            });
+    }
+}
+
+void FoxgloveSession::updateParameters() {
+    if (std::exchange(isUpdating_, true)) return;
+    collect(model_.owners(), {}, [this](const Parameters& all) {
+        isUpdating_ = false;
+        json changed = json::array();
+        for (const std::string& name : followed_) {
+            const auto found = all.find(name);
+            if (found == all.end() || lastValues_[name] == found->second) continue;
+            changed.push_back(lastValues_[name] = found->second);
+        }
+        if (!changed.empty()) client_.sendText(textOf({{"op", "parameterValues"}, {"parameters", changed}}));
+    });
+}
+
+void FoxgloveSession::updateGraph() {
+    client_.ask({{"op", "oro.graph"}, {"id", 0}}, [this](LiveClient&, const json& answer) {
+        if (answer.count("result") == 0) return;
+        std::map<std::string, std::set<std::string>> from, to;
+        for (const json& one : answer["result"].value("connections", json::array())) {
+            const std::string out = one.value("from", ""), in = one.value("to", "");
+            from[topicOf(out)].insert(out.substr(0, out.find('.')));
+            to[topicOf(out)].insert(in.substr(0, in.find('.')));
+        }
+        json made = {{"op", "connectionGraphUpdate"},     {"publishedTopics", json::array()},
+                     {"subscribedTopics", json::array()}, {"advertisedServices", json::array()},
+                     {"removedTopics", json::array()},    {"removedServices", json::array()}};
+        for (const auto& [topic, ids] : from)
+            made["publishedTopics"].push_back({{"name", topic}, {"publisherIds", ids}});
+        for (const auto& [topic, ids] : to)
+            made["subscribedTopics"].push_back({{"name", topic}, {"subscriberIds", ids}});
+        const std::string text = textOf(made);
+        if (text != std::exchange(lastGraph_, text)) client_.sendText(text);
+    });
+}
+
+void FoxgloveSession::receiveBinary(std::string_view message) {
+    FoxgloveCall wanted;
+    if (!parseFoxgloveCall(message, wanted)) return warn("this binary message is not the call of a service");
+    const FoxgloveModel::Service* const service = model_.service(wanted.service);
+    const json request = isTooDeep(wanted.payload) ? json() : json::parse(wanted.payload, nullptr, false);
+    if (service && request.is_object()) return call(*service, wanted.call, request);
+    client_.sendText(textOf({{"op", "serviceCallFailure"},
+                             {"serviceId", wanted.service},
+                             {"callId", wanted.call},
+                             {"message", service ? "the request is not a JSON object" : "there is no such service"}}));
+}
+
+void FoxgloveSession::call(const FoxgloveModel::Service& service, std::uint32_t call, const json& request) {
+    json arguments = json::array();
+    for (const std::string& name : service.arguments)
+        if (request.count(name) != 0) arguments.push_back(request[name]);
+    client_.ask({{"op", "oro.call"}, {"id", 0}, {"path", service.path}, {"arguments", arguments}, {"timeout", 10}},
+                [this, id = service.id, call](LiveClient&, const json& answer) {
+                    if (answer.count("result") != 0)
+                        return client_.sendBinary(foxgloveResponse(id, call, "json", textOf(answer["result"])));
+                    client_.sendText(textOf({{"op", "serviceCallFailure"},
+                                             {"serviceId", id},
+                                             {"callId", call},
+                                             {"message", answer.value("message", "it failed")}}));
+                });
+}
+
+}  // namespace OCL::live

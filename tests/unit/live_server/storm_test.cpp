@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// The server in this process: clients watch while components come and go.
+#include "raw_client.hpp"
+
+#include <live/door/door.hpp>
+#include <live/door/module.hpp>
+#include <live/door/unix_address.hpp>
+#include <rtt/Activity.hpp>
+#include <rtt/Logger.hpp>
+#include <rtt/OutputPort.hpp>
+#include <rtt/TaskContext.hpp>
+#include <rtt/os/startstop.h>
+#include <rtt/plugin/PluginLoader.hpp>
+#include <support/temp_dir.hpp>
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <memory>
+#include <random>
+#include <thread>
+#include <vector>
+
+namespace {
+
+using live_test::RawClient;
+using nlohmann::json;
+
+class Source : public RTT::TaskContext {
+public:
+    explicit Source(const std::string& name) : TaskContext(name) {
+        addPort("number", number);
+        addPort("texts", texts);
+        addProperty("gain", gain);
+    }
+    ~Source() override { stopForGood(); }
+    void updateHook() override {
+        number.write(++count);
+        texts.write("sample " + std::to_string(int(count)));
+    }
+    double gain = 1, count = 0;
+    RTT::OutputPort<double> number;
+    RTT::OutputPort<std::string> texts;
+};
+
+class LiveServer : public testing::Test {
+protected:
+    LiveServer() {
+        static const bool begun = [] {
+            __os_init(0, nullptr);
+            return RTT::plugin::PluginLoader::Instance()->loadLibrary(RTT_TYPEKIT_FILE);
+        }();
+        EXPECT_TRUE(begun);
+        OCL::live::SocketFolder::Fault fault;
+        folder = std::make_unique<OCL::live::SocketFolder>(directory / "live", fault);
+        std::string error;
+        socket = std::make_unique<OCL::live::DoorSocket>(*folder, "test.sock", error);
+        EXPECT_TRUE(*socket) << error;
+        start();
+    }
+    ~LiveServer() override { server.reset(); }
+
+    void start() {
+        OCL::live::ServerStart how;
+        how.deployer = &deployer;
+        how.name = "Deployer";
+        how.stop = [this] { stopped = true; };
+        how.local = ::dup(socket->get());
+        std::string error;
+        server.reset(oroLiveServe(how, error));
+        ASSERT_TRUE(server) << error;
+    }
+    std::unique_ptr<Source> makeSource(const std::string& name) {
+        auto source = std::make_unique<Source>(name);
+        source->setActivity(new RTT::Activity(ORO_SCHED_OTHER, 0, 0.001, nullptr, name));
+        deployer.addPeer(source.get());
+        source->configure();
+        source->start();
+        return source;
+    }
+    RawClient client() const { return RawClient::unixSocket(folder->path() + "/test.sock"); }
+
+    oroforge::test::TempDir directory;
+    RTT::TaskContext deployer{"Deployer"};
+    std::unique_ptr<OCL::live::SocketFolder> folder;
+    std::unique_ptr<OCL::live::DoorSocket> socket;
+    std::unique_ptr<OCL::live::RunningServer> server;
+    std::atomic<bool> stopped{false};
+};
+
+TEST_F(LiveServer, EverySampleOfAPortArrivesInOrder) {
+    const auto source = makeSource("Source");
+    RawClient one = client();
+    ASSERT_TRUE(one.open());
+    ASSERT_TRUE(one.say({{"op", "oro.watch"}, {"id", "w"}, {"port", "Source.number"}}));
+    EXPECT_EQ("double", one.hear("oro.answer")["result"].value("type", ""));
+    double last = 0;
+    for (int i = 0; i < 200; ++i) {
+        const json sample = one.hear("oro.sample");
+        ASSERT_EQ("w", sample.value("id", "")) << sample;
+        const double value = sample["value"];
+        if (last != 0 && sample["dropped"] == 0) EXPECT_EQ(last + 1, value);
+        last = value;
+    }
+    ASSERT_TRUE(one.say({{"op", "oro.unwatch"}, {"id", 2}, {"watch", "w"}}));
+    EXPECT_EQ(2, one.hear("oro.answer").value("id", 0));
+    EXPECT_FALSE(source->number.connected());
+}
+
+TEST_F(LiveServer, ARateGivesFewerSamplesWithoutDrops) {
+    const auto source = makeSource("Source");
+    RawClient one = client();
+    ASSERT_TRUE(one.open());
+    ASSERT_TRUE(one.say({{"op", "oro.watch"}, {"id", 1}, {"port", "Source.number"}, {"rate", 20}}));
+    json first = one.hear("oro.sample"), last;
+    for (int i = 0; i < 5; ++i) last = one.hear("oro.sample");
+    EXPECT_EQ(0, last.value("dropped", -1));
+    const double seconds = (last.value("time", 0.0) - first.value("time", 0.0)) / 1e9;
+    EXPECT_GT(seconds, 0.15);
+}
+
+TEST_F(LiveServer, AWatchEndsWithItsComponent) {
+    auto source = makeSource("Source");
+    RawClient one = client();
+    ASSERT_TRUE(one.open());
+    ASSERT_TRUE(one.say({{"op", "oro.watch"}, {"id", 1}, {"port", "Source.number"}}));
+    EXPECT_FALSE(one.hear("oro.sample").is_null());
+    source.reset();
+    EXPECT_EQ("LIV008", one.hear("oro.error").value("code", ""));
+    ASSERT_TRUE(one.say({{"op", "oro.watch"}, {"id", 1}, {"port", "Source.number"}}));
+    EXPECT_EQ("LIV003", one.hear("oro.error").value("code", ""));
+}
+
+TEST_F(LiveServer, LinesOfTheLogArriveBesideAnotherReceiver) {
+    RawClient one = client();
+    ASSERT_TRUE(one.open());
+    ASSERT_TRUE(one.say({{"op", "oro.log"}, {"id", 5}, {"level", "error"}}));
+    ASSERT_EQ(5, one.hear("oro.answer").value("id", 0));
+    const RTT::Logger::In in("Test");
+    RTT::log(RTT::Info) << "not this" << RTT::endlog();
+    RTT::log(RTT::Error) << "but \xff this" << RTT::endlog();
+    const json line = one.hear("oro.line");
+    EXPECT_EQ("Error", line.value("level", ""));
+    EXPECT_EQ("Test", line.value("origin", ""));
+    EXPECT_EQ("but \uFFFD this", line.value("text", ""));
+}
+
+TEST_F(LiveServer, FoxgloveGetsChannelsOfComponentsThatComeAndGo) {
+    auto source = makeSource("Source");
+    RawClient fox = client();
+    ASSERT_TRUE(fox.open("foxglove.sdk.v1"));
+    EXPECT_EQ("serverInfo", fox.hear().value("op", ""));
+    EXPECT_EQ("/rosout", fox.hear("advertise").value("/channels/0/topic"_json_pointer, ""));
+    const json channels = fox.hear("advertise")["channels"];
+    ASSERT_EQ(2U, channels.size());
+    EXPECT_EQ("/Source/number", channels[0].value("topic", ""));
+    EXPECT_EQ("cdr", channels[0].value("encoding", ""));
+    EXPECT_EQ("ros2msg", channels[0].value("schemaEncoding", ""));
+    ASSERT_TRUE(fox.say({{"op", "subscribe"}, {"subscriptions", {{{"id", 9}, {"channelId", channels[0]["id"]}}}}}));
+    for (;;) {
+        const json message = fox.hear();
+        ASSERT_FALSE(message.is_null());
+        if (!message.is_string()) continue;
+        const auto bytes = message.get<std::string>();
+        if (bytes[0] != 1) continue;
+        EXPECT_EQ(std::string("\x01\x09\0\0\0", 5), bytes.substr(0, 5));
+        EXPECT_EQ(1U + 4 + 8 + 4 + 8, bytes.size());
+        break;
+    }
+    source.reset();
+    EXPECT_EQ(2U, fox.hear("unadvertise")["channelIds"].size());
+}
+
+/** Does at random what a client may do. */
+void beClient(RawClient client, std::mt19937& random) {
+    if (!client.connected() || random() % 8 == 0) return;
+    const bool fox = random() % 3 == 0;
+    if (!client.open(fox ? "foxglove.sdk.v1" : "oro.v1")) return;
+    for (int i = 0; i < 12; ++i) {
+        const std::string port = "Source" + std::to_string(random() % 3) + (random() % 2 ? ".number" : ".texts");
+        switch (random() % 6) {
+            case 0:
+            case 1: (void)client.say({{"op", "oro.watch"}, {"id", random() % 5}, {"port", port}}); break;
+            case 2: (void)client.say({{"op", "oro.unwatch"}, {"id", 100}, {"watch", random() % 5}}); break;
+            case 3: (void)client.say({{"op", "oro.log"}, {"id", random() % 5}}); break;
+            case 4: (void)client.say({{"op", "oro.tree"}, {"id", 101}}); break;
+            case 5:
+                (void)client.say({{"op", "subscribe"}, {"subscriptions", {{{"id", i}, {"channelId", random() % 12}}}}});
+                break;
+        }
+        for (unsigned heard = random() % 20; heard > 0; --heard)
+            if (client.hear().is_null()) return;
+        if (random() % 4 == 0) return;
+    }
+}
+
+TEST_F(LiveServer, ClientsWatchWhileComponentsComeAndGoAndTheServerRestarts) {
+    std::atomic<bool> ended{false};
+    std::vector<std::thread> threads;
+    for (unsigned int i = 0; i < 3; ++i)
+        threads.emplace_back([&, i] {
+            std::mt19937 random(i);
+            while (!ended) beClient(client(), random);
+        });
+    threads.emplace_back([&] {
+        std::mt19937 random(7);
+        std::unique_ptr<Source> sources[3];
+        while (!ended) {
+            const std::size_t which = random() % 3;
+            sources[which].reset();
+            if (random() % 4 != 0) sources[which] = makeSource("Source" + std::to_string(which));
+            RTT::log(RTT::Warning) << "one more" << RTT::endlog();
+            std::this_thread::sleep_for(std::chrono::milliseconds(random() % 20));
+        }
+    });
+    for (int i = 0; i < 4; ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(600));
+        server.reset();
+        start();
+    }
+    ended = true;
+    server.reset();
+    start();  // so that clients that wait for an answer get one
+    for (std::thread& thread : threads) thread.join();
+}
+
+}  // namespace
