@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// oro start, stop, configure, cleanup and recover
+#include "session.hpp"
+
+#include "failure.hpp"
+#include "state_text.hpp"
+
+namespace oroforge::live_client {
+namespace {
+
+void change(Session& session, const char* what) {
+    const std::string& component = session.word(0);
+    const Json result = session.deployment().ask("lifecycle", {{"component", component}, {"do", what}});
+    const std::string state = printable(textOf(result, "state"));
+    const bool done = truthOf(result, "done");
+    if (session.json()) session.out().line(lineOf(result));
+    if (!done)
+        throw Failure(Status::Refused, "component '" + component + "' refuses to " + what + "; it is " + state +
+                                           ". 'oro log' shows what it reported");
+    if (!session.json())
+        session.out().line(printable(component) + "  " + session.out().paint(styleOfState(state), state));
+}
+
+/** Waits until the connection is closed, which the deployment does last. */
+void awaitEnd(Requests& deployment) {
+    const Deadline deadline = deadlineIn(deployment.limit());
+    for (Json message;;) {
+        try {
+            if (deployment.next(message, deadline) == Requests::Event::Time) break;
+        } catch (const Failure&) {
+            return;
+        }
+    }
+    throw Failure(Status::Refused, "deployment '" + deployment.name() + "' takes longer than --timeout to end; it goes on");
+}
+
+}  // namespace
+
+void startComponent(Session& session) { change(session, "start"); }
+void configureComponent(Session& session) { change(session, "configure"); }
+void cleanUpComponent(Session& session) { change(session, "cleanup"); }
+void recoverComponent(Session& session) { change(session, "recover"); }
+
+void stopSomething(Session& session) {
+    if (!session.word(0).empty()) return change(session, "stop");
+    Requests& deployment = session.deployment();
+    const Json result = deployment.ask("stop");
+    awaitEnd(deployment);
+    if (!session.answeredAsJson(result)) session.out().line("deployment '" + printable(deployment.name()) + "' has ended");
+}
+
+}  // namespace oroforge::live_client
