@@ -44,8 +44,10 @@ LAYER_OF = {
     "deployer/fbsched/": "ocl",             # <fbsched/fbsched.hpp>, a kept name
     "deployer/deployment/": "deployment",
     "deployer/console/": "console",
+    "deployer/live/requests/": "live_requests",
     "deployer/lua/": "lua",
     "deployer/reporting/": "reporting",
+    "deployer/reporting/mcap/": "mcap",     # the file format alone
     "deployer/logging/": "logging",
     "deployer/components/": "components",
     "deployer/chain/": "chain",
@@ -110,8 +112,10 @@ MAY_INCLUDE = {
     "ocl": API | {"umbrella", "plugin", "extras", "marsh", "loader"},
     "deployment": DEPLOYER | {"corba", "cpf"},
     "console": DEPLOYER,
+    "live_requests": DEPLOYER | {"encoding", "console"},
     "lua": DEPLOYER,
-    "reporting": DEPLOYER,
+    "mcap": set(),
+    "reporting": DEPLOYER | {"encoding", "mcap"},
     "logging": DEPLOYER,
     "components": DEPLOYER,
     "chain": DEPLOYER,
@@ -152,11 +156,12 @@ FOREIGN = {
     r"mqueue\.h": ["runtime/rtt/transports/mqueue/", "deployer/rt_check/", "tests/unit/transports/", "bench/"],
     r"(lua5\.\d/)?(lua|lauxlib|lualib)\.h(pp)?": ["deployer/lua/"],
     r"log4cpp/": ["deployer/logging/", "deployer/ocl/", "deployer/bin/", "tests/unit/logging/", "bench/"],
+    r"(zstd|lz4(frame|hc)?)\.h": ["deployer/reporting/mcap/"],
     r"netcdf(_\w+)?\.h$": ["deployer/reporting/netcdf_"],
     r"(histedit\.h|editline/|readline/)": ["deployer/console/"],
     r"(ros|roscpp|tf2?|actionlib|dynamic_reconfigure)/": ["ros/", "tests/unit/ros_", "bench/ros_"],
     # Of the runtime, what stays out of components and their libraries.
-    r"nlohmann/": ["runtime/report/", "runtime/rtt/encoding/", "deployer/logging/", "generator/", "typekit_gen/", "tests/"],
+    r"nlohmann/": ["runtime/report/", "runtime/rtt/encoding/", "deployer/live/", "deployer/logging/", "generator/", "typekit_gen/", "tests/"],
     r"kainjow/": ["generator/render/"],
     r"CLI/": ["generator/driver/", "typekit_gen/driver/", "deployer/"],
     r"(gtest|gmock)/": ["tests/", "templates/", "examples/"],    # packages bring a test
@@ -176,7 +181,7 @@ def shared_headers():
 # Installed headers: a user's compiler must find all that they include.
 INSTALLED = ["runtime/rtt/", "deployer/ocl/"]
 NOT_INSTALLED = ["runtime/cpf/", "runtime/diag/", "runtime/files/", "runtime/report/", "runtime/xml/", "runtime/rtt/typekit/detail/", "deployer/deployment/",
-                 "deployer/console/", "deployer/lua/", "deployer/reporting/", "deployer/logging/",
+                 "deployer/console/", "deployer/live/", "deployer/lua/", "deployer/reporting/", "deployer/logging/",
                  "deployer/components/", "deployer/chain/", "deployer/rt_check/", "deployer/bin/", "generator/", "typekit_gen/",
                  *shared_headers()]
 

@@ -21,7 +21,7 @@ namespace diag = oroforge::diag;
 namespace OCL::deploy {
 namespace {
 
-enum class Takes { Nothing, Word, Number, Words };
+enum class Takes { Nothing, Word, Number, Words, PerhapsWord };
 
 const struct {
     const char* name;
@@ -69,6 +69,15 @@ const struct {
     {"rtalloc-mem-size", Takes::Word, "size of the pool of real-time memory, with k, m or g for units; default: 512k"},
     {"max-elements", Takes::Number,
      "how many elements scripts may ask for at once, as 'var array a(100)' does; default: 10000000"},
+    {"no-live", Takes::Nothing, "no socket by which 'oro' of the same user looks at the deployment"},
+    {"web", Takes::PerhapsWord,
+     "let Foxglove, Lichtblick and 'oro' look at the deployment at ADDRESS:PORT and print the URL; default: "
+     "127.0.0.1:8765"},
+    {"web-allow", Takes::Word,
+     "what they may do there besides looking, such as properties,operations,lifecycle: set properties, call operations, "
+     "start and stop components"},
+    {"web-token-file", Takes::Word,
+     "a file with the token that they must know, which only its owner may read; without it, each run has another token"},
     {"DeployerName", Takes::Words, "name of the deployer; the option's name may be left out"},
 };
 
@@ -80,6 +89,10 @@ po::options_description visibleOptions() {
     for (const auto& option : kOptions) {
         switch (option.value) {
             case Takes::Nothing: options.add_options()(option.name, option.text); break;
+            case Takes::PerhapsWord:
+                options.add_options()(option.name, po::value<std::string>()->implicit_value("127.0.0.1:8765"),
+                                      option.text);
+                break;
             case Takes::Word: options.add_options()(option.name, po::value<std::string>(), option.text); break;
             case Takes::Number: options.add_options()(option.name, po::value<int>(), option.text); break;
             case Takes::Words:
@@ -194,6 +207,31 @@ void takeLogTime(const std::string& value, Options& options, std::string& error)
         options.logTime = value == "wall" ? RTT::LogTime::Wall : RTT::LogTime::Relative;
 }
 
+const std::vector<std::string> kPermissions = {"properties", "operations", "lifecycle"};
+
+/** Takes what concerns the live window. */
+void takeLive(const po::variables_map& values, Options& options, std::string& error) {
+    options.live = !values.count("no-live");
+    if (values.count("web")) options.webAddress = values["web"].as<std::string>();
+    if (values.count("web") && options.webAddress.empty()) error = "the address of --web is empty";
+    if (values.count("web-token-file")) options.webTokenFile = values["web-token-file"].as<std::string>();
+    for (const char* name : {"web-allow", "web-token-file"})
+        if (values.count(name) && !values.count("web")) error = std::string("--") + name + " is of no use without --web";
+    if (!values.count("web-allow")) return;
+    std::istringstream words(values["web-allow"].as<std::string>());
+    for (std::string word; std::getline(words, word, ',');) {
+        if (word == kPermissions[0])
+            options.webProperties = true;
+        else if (word == kPermissions[1])
+            options.webOperations = true;
+        else if (word == kPermissions[2])
+            options.webLifecycle = true;
+        else
+            error = "unknown permission '" + word + "' of --web-allow, expected " + diag::oneOf(kPermissions) +
+                    diag::didYouMean(word, kPermissions);
+    }
+}
+
 bool takeValues(const po::variables_map& values, const std::vector<std::string>& names, Options& options,
                 std::string& error) {
     options.action = values.count("help")      ? Options::ShowHelp
@@ -253,6 +291,7 @@ bool takeValues(const po::variables_map& values, const std::vector<std::string>&
         else
             error = "no number of elements: " + std::to_string(elements);
     }
+    takeLive(values, options, error);
     if (values.count("log-time")) takeLogTime(values["log-time"].as<std::string>(), options, error);
     if (!values.count("log-level")) return error.empty();
     const std::string level = values["log-level"].as<std::string>();

@@ -38,6 +38,10 @@ struct Options {
     int minimumProcessors = 0;
     std::size_t realTimeMemory = 0;  // bytes; 0: not given
     std::size_t maxElements = 0;     // 0: not given
+    bool live = true;                // other programs of this user may look at the deployment
+    std::string webAddress;          // and through this port; empty: there is none
+    std::string webTokenFile;
+    bool webProperties = false, webOperations = false, webLifecycle = false;  // what they may do there besides looking
 
     bool endsAtOnce() const { return check || dryRun; }
     /** The file that is deployed before all others, if it exists. */

@@ -7,6 +7,7 @@
 #include "categories.hpp"
 #include "crash_report.hpp"
 #include "explain.hpp"
+#include "live_window.hpp"
 #include "program_report.hpp"
 #include "real_time_check.hpp"
 #include "real_time_memory.hpp"
@@ -140,9 +141,13 @@ int deploy(const Options& options, const Program& program, std::vector<char*>& w
     setLenient(options.lenient);
     if (options.maxElements != 0) RTT::types::setSizeLimit(options.maxElements);
     const AtEnd atEnd{program.end};
+    LiveWindow listening(options);  // before the site file starts components
+    if (listening.failed()) return kFailure;
     const std::unique_ptr<DeploymentComponent> made = program.make(options, words);
     if (!made) return kFailure;
     DeploymentComponent& deployer = *made;
+    const LiveWindow::Opened live(listening, deployer);
+    if (!live) return kFailure;
     const bool deployed =
         deployFiles(deployer, *ending, options, report) && writeGraph(deployer, options.graphFile, report);
     if (options.dryRun && deployed) printSummary(deployer);

@@ -8,15 +8,20 @@
 #include <rtt/marsh/MarshallInterface.hpp>
 #include <rtt/rtt-config.h>
 
+#include <functional>
 #include <iosfwd>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace OCL {
 
 namespace reporting {
+class Report;
 class RowSink;
-}
+class Source;
+struct ReportOptions;
+}  // namespace reporting
 
 /**
  * A component that records output ports, properties and attributes of its peers as a table: a row has a time stamp and
@@ -68,6 +73,13 @@ protected:
     bool screenImpl(const std::string& component, std::ostream& output);
     /** Sets where rows go, from the next start() to the stop() after it. */
     void writeTo(std::unique_ptr<reporting::RowSink> sink);
+    typedef std::function<std::unique_ptr<reporting::Report>(const std::vector<std::shared_ptr<reporting::Source>>&,
+                                                             const reporting::ReportOptions&)>
+        ReportMaker;
+    /** Sets what makes the report of the next start(), instead of a table; if it makes none, start() fails. */
+    void reportBy(ReportMaker maker);
+    /** Calls it with the report that is running, or null. No other thread begins or ends a report meanwhile. */
+    void withReport(const std::function<void(reporting::Report*)>& use);
 
 private:
     struct Impl;

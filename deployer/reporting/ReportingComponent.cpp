@@ -12,6 +12,7 @@
 namespace OCL {
 
 using reporting::Decomposition;
+using reporting::Report;
 using reporting::RunningReport;
 using RTT::endlog;
 using RTT::log;
@@ -93,6 +94,18 @@ bool ReportingComponent::removeMarshallers() {
 }
 
 void ReportingComponent::writeTo(std::unique_ptr<reporting::RowSink> sink) { impl_->sink = std::move(sink); }
+void ReportingComponent::reportBy(ReportMaker maker) { impl_->maker = std::move(maker); }
+
+void ReportingComponent::withReport(const std::function<void(Report*)>& use) {
+    const std::lock_guard<std::mutex> rows(impl_->rows);
+    use(impl_->report.get());
+}
+
+std::unique_ptr<Report> ReportingComponent::Impl::makeReport(const reporting::Sources& present) {
+    const reporting::ReportOptions all = options();  // asks the sink, so before it is moved
+    if (maker) return maker(present, all);
+    return std::unique_ptr<Report>(new RunningReport(present, all, std::move(sink), marshallers));
+}
 
 bool ReportingComponent::configureHook() {
     const std::lock_guard<std::mutex> lock(impl_->changes);
@@ -122,14 +135,14 @@ reporting::ReportOptions ReportingComponent::Impl::options() const {
 bool ReportingComponent::startHook() {
     const std::lock_guard<std::mutex> changes(impl_->changes);
     const std::lock_guard<std::mutex> rows(impl_->rows);
-    if (!impl_->sink && impl_->marshallers.empty()) {
+    if (!impl_->maker && !impl_->sink && impl_->marshallers.empty()) {
         log(RTT::Error) << "'" << getName() << "' needs at least one marshaller to write reports" << endlog();
         return false;
     }
     const reporting::Sources sources = impl_->present();
     impl_->lostRows = 0;
-    const reporting::ReportOptions options = impl_->options();  // asks the sink, so before it is moved
-    impl_->report.reset(new RunningReport(sources, options, std::move(impl_->sink), impl_->marshallers));
+    impl_->report = impl_->makeReport(sources);
+    if (!impl_->report) return false;
     const bool periodic = impl_->isPeriodic();
     if (periodic) impl_->report->writeRow();
     impl_->report->clearPorts();
@@ -138,7 +151,7 @@ bool ReportingComponent::startHook() {
 }
 
 /** Writes rows for new samples; false if there may be more. */
-bool ReportingComponent::Impl::writeNewRows(RunningReport& from) {
+bool ReportingComponent::Impl::writeNewRows(Report& from) {
     for (int rows = 0; rows < kRowsPerCycle; ++rows) {
         if (!from.read()) return true;
         from.writeRow();
@@ -147,7 +160,7 @@ bool ReportingComponent::Impl::writeNewRows(RunningReport& from) {
 }
 
 void ReportingComponent::updateHook() {
-    RunningReport& report = *impl_->report;
+    Report& report = *impl_->report;
     if (impl_->isPeriodic()) {
         (void)report.read();
         report.writeRow();

@@ -56,7 +56,8 @@ struct ReportingComponent::Impl {
 
     reporting::ReportOptions options() const;
     bool isPeriodic() const;
-    bool writeNewRows(reporting::RunningReport& from);
+    bool writeNewRows(reporting::Report& from);
+    std::unique_ptr<reporting::Report> makeReport(const reporting::Sources& present);
 
     ReportingComponent& self;
 
@@ -77,9 +78,10 @@ struct ReportingComponent::Impl {
     reporting::Sources sources;
     std::vector<reporting::Marshallers> marshallers;
     std::unique_ptr<reporting::RowSink> sink;  // for the next report
+    ReportMaker maker;                         // instead of the sink
 
     std::mutex rows;  // held by snapshot() and while the report begins or ends
-    std::unique_ptr<reporting::RunningReport> report;
+    std::unique_ptr<reporting::Report> report;
 };
 
 }  // namespace OCL

@@ -5,6 +5,7 @@
 
 #include "other_value.hpp"
 #include "record.hpp"
+#include "report.hpp"
 #include "row_writer.hpp"
 #include "source.hpp"
 #include "value_tree.hpp"
@@ -33,26 +34,22 @@ struct ReportOptions {
     std::function<void()> onFailure;        ///< called once, by another thread, when the sink has failed
 };
 
-/** A report from start() to stop() of its component, with fixed sources. Used by one thread at a time. */
-class RunningReport {
+/** A table, or what marshallers make, of fixed sources. */
+class RunningReport final : public Report {
 public:
     /** Reads all sources and takes their values apart. `sink` may be null; `marshallers` must outlive this. */
     RunningReport(const Sources& sources, const ReportOptions& options, std::unique_ptr<RowSink> sink,
                   const std::vector<Marshallers>& marshallers);
 
-    /** Reads all sources; true if a port had a new sample. Real-time safe if copying the values is. */
-    bool read();
+    /** Real-time safe if copying the values is. */
+    bool read() override;
     /** Writes a row of the values that were read. Without marshallers, allocates only if a value has grown. */
-    void writeRow();
-    /** Forgets samples that came before the report. */
-    void clearPorts();
-    /** Selects whether new samples wake the component. */
-    void wakeOnData(bool on);
-    /** Waits until everything is written. */
-    void finish();
-    unsigned long lost() const { return writer_ ? writer_->lost() : 0; }
-    /** True if the sink has failed. */
-    bool failed() const { return writer_ && writer_->failed(); }
+    void writeRow() override;
+    void clearPorts() override;
+    void wakeOnData(bool on) override;
+    void finish() override;
+    unsigned long lost() const override { return writer_ ? writer_->lost() : 0; }
+    bool failed() const override { return writer_ && writer_->failed(); }
 
 private:
     struct Entry {

@@ -4,23 +4,14 @@
 
 #include "report_file.hpp"
 
-#include <rtt/os/own_file.hpp>
-
 #include <cerrno>
-#include <chrono>
-#include <fcntl.h>
 #include <ostream>
 #include <string_view>
 #include <sys/stat.h>
-#include <thread>
 #include <unistd.h>
 
 namespace OCL::reporting {
 namespace {
-
-// Two seconds.
-constexpr int kTries = 40;
-constexpr std::chrono::milliseconds kPause{50};
 
 /** The number of characters that belong to whole rows. A line end inside quotation marks does not end a row. */
 std::size_t lastRowEnd(std::string_view rows) {
@@ -31,11 +22,6 @@ std::size_t lastRowEnd(std::string_view rows) {
         if (rows[i] == '\n' && !quoted) end = i + 1;
     }
     return end;
-}
-
-bool isPipe(const std::string& name) {
-    struct stat status {};
-    return ::stat(name.c_str(), &status) == 0 && S_ISFIFO(status.st_mode);
 }
 
 class FileTarget : public TextTarget {
@@ -94,24 +80,8 @@ private:
 }  // namespace
 
 std::unique_ptr<TextTarget> openFile(const std::string& name, std::string& error) {
-    // Without O_NONBLOCK, opening a pipe would block start() until somebody reads from it.
-    constexpr int kFlags = O_WRONLY | O_CREAT | O_APPEND | O_NONBLOCK;
-    int file = RTT::os::detail::openOwnFile(name.c_str(), kFlags);
-    // The reader may just be starting.
-    for (int times = 0; file < 0 && errno == ENXIO && isPipe(name) && times != kTries; ++times) {
-        std::this_thread::sleep_for(kPause);
-        file = RTT::os::detail::openOwnFile(name.c_str(), kFlags);
-    }
-    if (file < 0) {
-        error = errno == ENXIO && isPipe(name) ? "nobody reads from this pipe" : RTT::os::detail::openError(errno);
-        return nullptr;
-    }
-    (void)::fcntl(file, F_SETFL, O_APPEND);  // writes wait for the reader
-    std::unique_ptr<TextTarget> target(new FileTarget(file, name));
-    if (!isRegular(file)) return target;
-    error = claim(file);
-    if (!error.empty()) target.reset();
-    return target;
+    const int file = openReport(name, error);
+    return std::unique_ptr<TextTarget>(file < 0 ? nullptr : new FileTarget(file, name));
 }
 
 std::unique_ptr<TextTarget> useStream(std::ostream& stream) {

@@ -48,5 +48,11 @@ public:
     virtual void receive(const LogEntry& entry) = 0;
 };
 
+/**
+ * As Logger::setReceiver(), for one more receiver beside the file and that one: for views that come and go. Each of the
+ * two has a thread of its own.
+ */
+RTT_API LogReceiver* setLogObserver(LogReceiver* observer);
+
 }  // namespace RTT
 #endif

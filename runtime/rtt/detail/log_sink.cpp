@@ -56,6 +56,7 @@ void LogSink::shutdown() {
         note(Info, "logging ends");
     }
     relay_.deliver();
+    observers_.deliver();
     std::lock_guard<std::mutex> lock(mutex_);
     drainLocked();
     if (insteadOfFile_) writeToFile(relay_.takeBack());
@@ -75,23 +76,27 @@ void LogSink::finish() {
         console_ = nullptr;
     }
     drain();
-    LogReceiver* const receiver = takeReceiver(nullptr, LogReceiverUse::BesideFile);
+    LogReceiver* const receiver = takeFrom(relay_, nullptr, LogReceiverUse::BesideFile);
     if (receiver) relay_.awaitUnusedBriefly(receiver);
+    LogReceiver* const observer = takeFrom(observers_, nullptr, LogReceiverUse::BesideFile);
+    if (observer) observers_.awaitUnusedBriefly(observer);
 }
 
 void LogSink::beforeFork() {
     drainer_.beforeFork();
     mutex_.lock();
     relay_.beforeFork();
+    observers_.beforeFork();
 }
 
 void LogSink::afterFork(bool inChild) {
+    observers_.afterFork(inChild);
     relay_.afterFork(inChild);
     if (inChild) {
         queue_.clear();  // the parent writes its lines
         file_.leaveToParent();
         forgetThreadIds();
-        receiving_ = insteadOfFile_ = false;
+        receiving_ = insteadOfFile_ = observing_ = false;
         updateLimits();
     }
     mutex_.unlock();
@@ -121,7 +126,7 @@ void LogSink::updateLimits() {
     int file = kNothing;
     if (started_ && !disabled_ && (level != RealTime || realTimeAllowed_)) {
         if (consoleEnabled_ && level != Never) console = level;
-        if (fileEnabled_ && (file_.isOpen() || receiving_)) file = std::max<int>(level, Info);
+        if (fileEnabled_ && (file_.isOpen() || receiving_ || observing_)) file = std::max<int>(level, Info);
     }
     consoleLimit_ = console;
     fileLimit_ = file;
@@ -171,21 +176,25 @@ void LogSink::setTime(LogTime time) {
                    (time == LogTime::Wall ? "local time" : "seconds since the reference time"));
 }
 
-LogReceiver* LogSink::takeReceiver(LogReceiver* next, LogReceiverUse use) {
+LogReceiver* LogSink::takeFrom(LogRelay& relay, LogReceiver* next, LogReceiverUse use) {
     drain();  // lines of real-time threads
-    const bool delivered = relay_.deliver();
+    const bool delivered = relay.deliver();
     std::lock_guard<std::mutex> lock(mutex_);
     drainLocked();
     LogRelay::Rest rest;
-    LogReceiver* const previous = relay_.exchange(next, rest);
+    LogReceiver* const previous = relay.exchange(next, rest);
     const std::size_t missing = rest.lines.size() + rest.lost;
     if (!delivered && missing != 0)
         note(Warning, std::to_string(missing) +
                           " line(s) not given to the receiver of the log, which was too slow to be taken away");
     writeToFile(rest.lines);
-    if (next && !relay_.isRunning()) note(Error, "the receiver of the log gets no lines: there is no thread for it");
-    receiving_ = next != nullptr;
-    insteadOfFile_ = next && use == LogReceiverUse::InsteadOfFile;
+    if (next && !relay.isRunning()) note(Error, "the receiver of the log gets no lines: there is no thread for it");
+    if (&relay == &observers_) {
+        observing_ = next != nullptr;
+    } else {
+        receiving_ = next != nullptr;
+        insteadOfFile_ = next && use == LogReceiverUse::InsteadOfFile;
+    }
     updateLimits();
     flushLocked();
     return previous;
@@ -193,8 +202,15 @@ LogReceiver* LogSink::takeReceiver(LogReceiver* next, LogReceiverUse use) {
 
 LogReceiver* LogSink::setReceiver(LogReceiver* receiver, LogReceiverUse use) {
     if (receiver) startDrain();
-    LogReceiver* const previous = takeReceiver(receiver, use);
+    LogReceiver* const previous = takeFrom(relay_, receiver, use);
     if (previous && previous != receiver) relay_.awaitUnused(previous);
+    return previous;
+}
+
+LogReceiver* LogSink::setObserver(LogReceiver* observer) {
+    if (observer) startDrain();
+    LogReceiver* const previous = takeFrom(observers_, observer, LogReceiverUse::BesideFile);
+    if (previous && previous != observer) observers_.awaitUnused(previous);
     return previous;
 }
 
@@ -227,7 +243,7 @@ LogParts LogSink::stamped(LogParts parts) const noexcept {
 }
 
 void LogSink::writeNow(LogParts parts, bool flush) {
-    parts.forReceiver = !relay_.inThread();
+    parts.forReceiver = !relay_.inThread() && !observers_.inThread();
     if (os::inRealTimeThread() && !finished_.load(std::memory_order_relaxed)) return enqueue(parts);
     std::lock_guard<std::mutex> lock(mutex_);
     drainLocked();
@@ -343,6 +359,7 @@ void LogSink::writeLocked(const LogParts& parts) {
         console.write(line.data(), static_cast<std::streamsize>(line.size()));
     }
     if (!reachesFile(parts.level)) return;
+    if (observing_ && parts.forReceiver) (void)observers_.put(parts, /*only=*/false);
     const bool taken = receiving_ && parts.forReceiver && relay_.put(parts, insteadOfFile_);
     if (!taken || !insteadOfFile_) file_.write(scratch_.data(), scratch_.size());
 }

@@ -32,7 +32,7 @@ namespace detail {
  */
 class LogSink : private LogRelay::Owner {
 public:
-    LogSink() : relay_(*this) {}
+    LogSink() : relay_(*this), observers_(*this) {}
     void startup();
     void shutdown();
 
@@ -66,6 +66,7 @@ public:
     LogTime time() const noexcept { return time_.load(std::memory_order_relaxed); }
     /** See Logger. Waits for the previous one. */
     LogReceiver* setReceiver(LogReceiver* receiver, LogReceiverUse use);
+    LogReceiver* setObserver(LogReceiver* observer);
     bool reachesConsole(LoggerLevel level) const noexcept {
         return level != Never && level <= consoleLimit_.load(std::memory_order_relaxed);
     }
@@ -84,7 +85,7 @@ private:
     void notTaken(const LogParts& line) override;
     void warn(const std::string& text) override;
     void note(LoggerLevel level, const std::string& text);
-    LogReceiver* takeReceiver(LogReceiver* next, LogReceiverUse use);
+    LogReceiver* takeFrom(LogRelay& relay, LogReceiver* next, LogReceiverUse use);
     LogParts stamped(LogParts parts) const noexcept;
     // These two set the time of the line.
     void enqueue(const LogParts& parts) noexcept;
@@ -95,7 +96,9 @@ private:
     void drainLocked();
     void flushLocked();
     /** Somebody reads the wall time of lines. */
-    bool showsWallTime() const noexcept { return time() == LogTime::Wall || relay_.isRunning(); }
+    bool showsWallTime() const noexcept {
+        return time() == LogTime::Wall || relay_.isRunning() || observers_.isRunning();
+    }
     nsecs now() const noexcept { return os::TimeService::Instance()->getTicks(referenceTime()); }
 
     static constexpr int kNothing = -1;
@@ -109,6 +112,7 @@ private:
     LogQueue queue_;
     LogDrain drainer_;
     LogRelay relay_;
+    LogRelay observers_;
 
     std::mutex mutex_;  // for everything below, and for writing
     bool started_ = false;
@@ -122,6 +126,7 @@ private:
     LogColors colors_;
     UtcOffset utcOffset_;
     bool receiving_ = false;
+    bool observing_ = false;
     bool insteadOfFile_ = false;  // the receiver
     std::deque<std::string> recent_;
     std::string scratch_, painted_;

@@ -63,10 +63,13 @@ struct RTT_API Shape {
         const char* type;           ///< of the elements if it is an array
         std::size_t count;          ///< 0 if it is not an array
         const SequenceOps* access;  ///< for a field without an offset, see memberAccess()
+        const char* doc = "";
+        const char* unit = "";
     };
     struct Enumerator {
         std::string name;
         long long value;
+        const char* doc = "";
     };
 
     Kind kind = Kind::None;

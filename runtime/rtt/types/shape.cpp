@@ -38,7 +38,8 @@ Shape Shape::ofStruct(const Member* members, std::size_t count) {
     shape.kind = Kind::Struct;
     shape.fields.reserve(count);
     for (const Member* member = members; member != members + count; ++member)
-        shape.fields.push_back({member->name, member->offset, member->type(), member->count, member->access});
+        shape.fields.push_back({member->name, member->offset, member->type(), member->count, member->access,
+                                member->doc ? member->doc : "", member->unit ? member->unit : ""});
     return shape;
 }
 

@@ -135,7 +135,7 @@ private:
 };
 
 TEST(ExplanationsOfTheDeployer, AreThereForEveryCodeAndForNoOther) {
-    expectExplained(explanations(), {"deployer", "runtime"}, "CPF|DEP|OPS|RTC|XML");
+    expectExplained(explanations(), {"deployer", "runtime"}, "CPF|DEP|MCP|OPS|RTC|XML");
 }
 
 TEST(ExplanationsOfTheDeployer, HaveATitleAndAParagraph) {

@@ -120,6 +120,18 @@ if(TARGET orocos-rtt-corba)
   target_link_libraries(golden_typekit_test PRIVATE orocos-rtt-corba)
 endif()
 
+# What others read of recordings of these types; ./dev judges installs those readers.
+if(TARGET orocos-ocl-reporting-mcap)
+  oroforge_add_test(mcap_judges_test
+    SOURCES recorded_values_test.cpp shape_filler.cpp
+    LABELS judges
+    LIBS orocos-rtt orocos-rtt-encoding orocos-ocl-reporting-mcap oroforge_test_support
+    DEFINITIONS GOLDEN_TYPEKIT_DIR="${PROJECT_BINARY_DIR}/tests/lib" GOLDEN_TYPEKITS="${golden_cases}" RTT_TYPEKIT_FILE="$<TARGET_FILE:rtt-typekit>"
+      JUDGES_DIR="${PROJECT_BINARY_DIR}/tests/mcap_judges" JUDGE="${PROJECT_SOURCE_DIR}/tests/mcap_judges/judge.mjs"
+    DEPENDS rtt-typekit ${golden_typekits}
+    ENVIRONMENT ORO_LOGLEVEL=0 ORO_LOGFILE=/dev/null)
+endif()
+
 # Together with the C++ types themselves, as a component uses them.
 set(restricted ${golden}/typekit/restricted)
 file(GLOB sources CONFIGURE_DEPENDS ${restricted}/expected/*.cpp)

@@ -25,6 +25,8 @@ struct FormField {
     std::size_t offset;
     std::size_t count;                 // 0 if it is not an array
     const types::SequenceOps* access;  // null if it has an offset
+    const char* doc = "";
+    const char* unit = "";
 
     bool isReadOnly() const { return access && !access->store && !access->at; }
 };

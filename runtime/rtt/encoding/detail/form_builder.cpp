@@ -134,7 +134,7 @@ private:
         std::size_t least = 0;
         bool hasFixedSize = true;
         for (const Shape::Field& field : form.shape.fields) {
-            FormField its{field.name, nullptr, field.offset, field.count, field.access};
+            FormField its{field.name, nullptr, field.offset, field.count, field.access, field.doc, field.unit};
             if (readOnly_ == ReadOnly::LeftOut && its.isReadOnly()) continue;
             its.form = formOf(field.type, "." + field.name);
             if (!its.form) return;

@@ -43,7 +43,8 @@ public:
         shape.kind = Shape::Kind::Enumeration;
         shape.numbers = &names_.ops;
         for (std::size_t i = 0; i != names_.count; ++i)
-            shape.enumerators.push_back({names_.values[i].name, names_.values[i].value});
+            shape.enumerators.push_back(
+                {names_.values[i].name, names_.values[i].value, names_.values[i].doc ? names_.values[i].doc : ""});
         return shape;
     }
 

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// The module with the server, which the door loads when the first client comes. In every deployment, it would cost
+// milliseconds and megabytes.
+#ifndef OROFORGE_LIVE_MODULE_HPP
+#define OROFORGE_LIVE_MODULE_HPP
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace RTT {
+class TaskContext;
+}
+
+namespace OCL::live {
+
+/** What others may do with a deployment besides looking. */
+struct Permissions {
+    bool properties = false, operations = false, lifecycle = false;
+};
+
+/** What the server is given. It owns the descriptors, of which each may be -1. */
+struct ServerStart {
+    RTT::TaskContext* deployer = nullptr;
+    std::string name, version;
+    std::vector<std::string> files;
+    std::function<void()> stop;  ///< ends the program in order; any thread
+    int local = -1;              ///< a Unix socket that listens; whoever enters there may do everything
+    int client = -1;             ///< one that has connected to it
+    int web = -1;                ///< a TCP socket that listens
+    std::string webAddress;      ///< its address, for messages
+    std::string token;           ///< what clients of it must know
+    bool webIsLoopback = true;
+    Permissions webMay;
+};
+
+/** A server with its thread. The destructor says farewell to its clients, for 0.2 s at most, and waits for the
+    thread. */
+class RunningServer {
+public:
+    virtual ~RunningServer() = default;
+};
+
+}  // namespace OCL::live
+
+/** Null, with the reason, if the server does not start. Throws nothing. */
+extern "C" OCL::live::RunningServer* oroLiveServe(const OCL::live::ServerStart& start, std::string& error) noexcept;
+
+#endif

@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: Apache-2.0
+# Copyright Oroforge contributors
+# What a running deployment can be asked, for the module that serves clients.
+find_package(nlohmann_json REQUIRED)
+add_library(oroforge_live_requests OBJECT
+  live/requests/component_thread.cpp
+  live/requests/fields.cpp
+  live/requests/found_value.cpp
+  live/requests/interface_json.cpp
+  live/requests/lookup.cpp
+  live/requests/ports.cpp
+  live/requests/requests.cpp
+  live/requests/show.cpp
+  live/requests/ticket.cpp
+  live/requests/value_syntax.cpp
+  live/requests/values.cpp
+  live/requests/workers.cpp)
+target_include_directories(oroforge_live_requests PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
+target_link_libraries(oroforge_live_requests
+  PUBLIC orocos-rtt orocos-rtt-encoding orocos-ocl-taskbrowser rtt-scripting nlohmann_json::nlohmann_json oroforge_diag)
+set_target_properties(oroforge_live_requests PROPERTIES POSITION_INDEPENDENT_CODE ON)

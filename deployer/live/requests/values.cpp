@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "values.hpp"
+
+#include "failure.hpp"
+#include "fields.hpp"
+#include "value_syntax.hpp"
+
+#include <console/table.hpp>
+#include <console/value_table.hpp>
+#include <console/value_text.hpp>
+#include <diag/nearest_match.hpp>
+#include <rtt/Property.hpp>
+#include <rtt/PropertyBag.hpp>
+#include <rtt/encoding/Json.hpp>
+#include <rtt/internal/DataSource.hpp>
+#include <rtt/internal/DataSources.hpp>
+#include <rtt/rt_string.hpp>
+#include <rtt/types/Types.hpp>
+
+#include <algorithm>
+#include <map>
+#include <mutex>
+#include <utility>
+
+namespace OCL::live {
+namespace {
+
+using nlohmann::json;
+using RTT::PropertyBag;
+using RTT::encoding::Json;
+using RTT::internal::DataSource;
+using RTT::types::TypeInfo;
+
+constexpr unsigned kDeepestBag = 32;
+
+struct Form {
+    std::shared_ptr<const Json> json;
+    std::string why;  ///< there is none
+};
+
+/** Made once for each type. */
+Form formOf(const TypeInfo& type) {
+    static std::mutex mutex;
+    static auto* const all = new std::map<const TypeInfo*, Form>();
+    const std::lock_guard<std::mutex> lock(mutex);
+    const auto known = all->find(&type);
+    if (known != all->end()) return known->second;
+    Form made;
+    made.json = Json::make(type, made.why);
+    // A typekit that is loaded later may bring what is missing.
+    if (made.json) all->emplace(&type, made);
+    return made;
+}
+
+DataSource<PropertyBag>* bagIn(const Source& value) { return DataSource<PropertyBag>::narrow(value.get()); }
+
+bool isText(const Source& value) {
+    return DataSource<std::string>::narrow(value.get()) || DataSource<RTT::rt_string>::narrow(value.get());
+}
+
+bool isUnknown(const Source& value) { return value->getTypeInfo() == RTT::types::Types()->unknownType(); }
+
+json bagJson(const PropertyBag& bag, std::size_t most, bool& wasCut) {
+    json made = json::object();
+    for (const auto* const property : bag) made[property->getName()] = jsonOf(property->getDataSource(), most, wasCut);
+    return made;
+}
+
+void assignBag(const PropertyBag& bag, const json& from, const std::string& path) {
+    if (!from.is_object())
+        throw Failure(kWrongValue, path + ": found " + kindOf(from) + ", expected an object of its properties");
+    for (const auto& [name, value] : from.items()) {
+        const auto* const property = bag.find(name);
+        if (!property)
+            throw Failure(kWrongValue, path + ": there is no property '" + name + "'" +
+                                           oroforge::diag::didYouMean(name, bag.list()));
+        assign(property->getDataSource(), value, path + "." + name);
+    }
+}
+
+bool isIndex(const std::string& part) { return part.find_first_not_of("0123456789") == std::string::npos; }
+
+/** True if it is the index of an element. What has no size checks that itself. */
+bool isBelow(const std::string& index, const Source& size) {
+    const auto* const number = size ? DataSource<int>::narrow(size.get()) : nullptr;
+    if (!number) return true;
+    return index.size() < 10 && std::stol(index) < number->get();
+}
+
+Source memberOf(const Source& whole, const std::string& name, std::vector<std::string>& known) {
+    whole->evaluate();
+    if (const auto* const bag = bagIn(whole)) {
+        known = bag->rvalue().list();
+        const auto* const property = bag->rvalue().find(name);
+        return property ? property->getDataSource() : nullptr;
+    }
+    known = whole->getMemberNames();
+    if (isIndex(name) && !isBelow(name, whole->getMember("size"))) return nullptr;
+    return whole->getMember(name);
+}
+
+}  // namespace
+
+Copied::Copied(const Source& original) : original_(original) {
+    if (!original_ || isUnknown(original_)) return;
+    if (const auto* const bag = bagIn(original_)) {
+        PropertyBag copies(bag->rvalue().getType());
+        addBag(bag->rvalue(), copies, 0);
+        copy_ = new RTT::internal::ValueDataSource<PropertyBag>(copies);
+        leaves_.clear();
+        // A bag clones what it owns when it is copied, so the copies are those in the new one.
+        addBag(bag->rvalue(), static_cast<RTT::internal::ValueDataSource<PropertyBag>&>(*copy_).set(), 0);
+        return;
+    }
+    copy_ = original_->getTypeInfo()->buildValue();
+}
+
+void Copied::addBag(const PropertyBag& from, PropertyBag& to, unsigned depth) {
+    if (depth > kDeepestBag) return;
+    for (const auto* const property : from) {
+        RTT::base::PropertyBase* mine = to.find(property->getName());
+        if (!mine) {
+            mine = property->create();
+            if (!mine || !to.ownProperty(mine)) continue;
+        }
+        const auto* const inner = dynamic_cast<const RTT::Property<PropertyBag>*>(property);
+        auto* const myInner = dynamic_cast<RTT::Property<PropertyBag>*>(mine);
+        if (inner && myInner)
+            addBag(inner->rvalue(), myInner->value(), depth + 1);
+        else
+            leaves_.emplace_back(property->getDataSource(), mine->getDataSource());
+    }
+}
+
+void Copied::fill() {
+    for (const auto& [original, copy] : leaves_)
+        if (copy && original) original->evaluate(), (void)copy->update(original.get());
+    if (!copy_ || !leaves_.empty() || bagIn(copy_)) return;
+    original_->evaluate();
+    if (!copy_->update(original_.get())) copy_ = nullptr;
+}
+
+std::string typeOf(const Source& value) {
+    return value ? RTT::types::Types()->toDot(value->getTypeName()) : "unknown_t";
+}
+
+std::string textOf(const Source& value, std::size_t most) {
+    return value ? cut(OCL::console::valueText(value, false), most) : "(unknown_t)";
+}
+
+json jsonOf(const Source& value, std::size_t most, bool& wasCut) {
+    if (!value || isUnknown(value)) return nullptr;
+    value->evaluate();
+    if (const auto* const bag = bagIn(value)) return bagJson(bag->rvalue(), most, wasCut);
+    const void* const address = value->getRawConstPointer();
+    const Form form = formOf(*value->getTypeInfo());
+    if (!form.json || !address) return nullptr;
+    const std::string text = form.json->text(address);
+    if (text.size() > most) {
+        wasCut = true;
+        return nullptr;
+    }
+    return json::parse(text, nullptr, false);
+}
+
+Source partOf(const Source& whole, const std::vector<std::string>& parts, const std::string& path) {
+    Source at = whole;
+    std::string here = path;
+    for (const std::string& part : parts) {
+        std::vector<std::string> known;
+        const Source member = memberOf(at, part, known);
+        const bool index = isIndex(part);
+        if (!member)
+            throw Failure(kUnknownName, "'" + here + "', of type " + typeOf(at) + ", has no " +
+                                            (index ? "element [" + part + "]"
+                                                   : "field '" + part + "'" + oroforge::diag::didYouMean(part, known)));
+        here += index ? "[" + part + "]" : "." + part;
+        at = member;
+    }
+    return at;
+}
+
+void assign(const Source& value, const json& from, const std::string& path) {
+    value->evaluate();
+    if (const auto* const bag = bagIn(value)) return assignBag(bag->rvalue(), from, path);
+    const Form form = formOf(*value->getTypeInfo());
+    void* const address = value->getRawPointer();
+    if (!form.json || !address) {
+        const bool text = from.is_string();
+        if (text && value->getTypeInfo()->fromString(from.get<std::string>(), value)) return;
+        throw Failure(text ? kWrongValue : kNoForm, path + ": values of type " + typeOf(value) + " have no JSON" +
+                                                        (form.why.empty() ? "" : " (" + form.why + ")") +
+                                                        (text ? ", and this text is none" : ""));
+    }
+    std::string written;
+    try {
+        written = from.dump();
+    } catch (const json::exception&) {
+        throw Failure(kWrongValue, path + ": a text is not UTF-8; an array of its bytes can be given instead");
+    }
+    const std::string problem = form.json->parse(written, address);
+    if (!problem.empty()) throw Failure(kWrongValue, path + ": " + problem + " (type " + typeOf(value) + ")");
+    value->updated();
+}
+
+void assign(const Source& value, const std::string& text, const std::string& path) {
+    const std::size_t first = text.find_first_not_of(" \t");
+    const bool bare = isText(value) && (first == std::string::npos || text[first] != '"');
+    if (bare) return assign(value, json(text), path);
+    json parsed;
+    try {
+        parsed = parseValue(text);
+    } catch (const Failure& failure) {
+        if (!formOf(*value->getTypeInfo()).json && value->getTypeInfo()->fromString(text, value)) return;
+        throw Failure(failure.code(), path + ": " + failure.what());
+    }
+    if (!bagIn(value) && !formOf(*value->getTypeInfo()).json) parsed = text;
+    assign(value, parsed, path);
+}
+
+std::string unitOf(std::string& doc) {
+    std::string unit;
+    doc = OCL::console::oneLine(doc);
+    OCL::console::splitUnit(doc, unit);
+    return unit;
+}
+
+}  // namespace OCL::live

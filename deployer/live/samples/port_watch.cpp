@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "port_watch.hpp"
+
+#include <rtt/internal/ConnectionManager.hpp>
+#include <rtt/internal/flow/sample_store.hpp>
+#include <rtt/internal/flow/storage_core.hpp>
+#include <rtt/types/TypeInfo.hpp>
+
+#include <utility>
+
+namespace OCL::live {
+namespace {
+
+using RTT::encoding::ByteOrder;
+
+/** In front of each value: plain CDR in the order of this machine. */
+constexpr char kCdrHead[4] = {0, RTT::encoding::kNativeOrder == ByteOrder::Little ? 1 : 0, 0, 0};
+/** In lists of connections; it belongs to no component. */
+const char kPortName[] = "live window";
+
+RTT::ConnPolicy policyFor(unsigned buffer) {
+    RTT::ConnPolicy policy = buffer == 0 ? RTT::ConnPolicy::data() : RTT::ConnPolicy::circularBuffer(static_cast<int>(buffer));
+    policy.init = true;
+    return policy;
+}
+
+}  // namespace
+
+std::unique_ptr<PortWatch> PortWatch::make(RTT::base::OutputPortInterface& port, const Options& options,
+                                           std::string& why) {
+    const RTT::types::TypeInfo* const type = port.getTypeInfo();
+    if (!type || !port.isLocal()) {
+        why = type ? "it is a port of another process" : "its type is unknown";
+        return nullptr;
+    }
+    std::shared_ptr<const RTT::encoding::Json> json;
+    std::shared_ptr<const RTT::encoding::Plan> plan;
+    if (options.form == SampleForm::Json)
+        json = RTT::encoding::Json::make(*type, why);
+    else
+        plan = RTT::encoding::Plan::make(*type, RTT::encoding::cdrRules(), why);
+    if (!json && !plan) return nullptr;
+    RTT::base::DataSourceBase::shared_ptr value = type->buildValue();
+    auto* const clone = dynamic_cast<RTT::base::InputPortInterface*>(static_cast<RTT::base::PortInterface*>(port.antiClone()));
+    if (!value || !clone) {
+        why = "its type '" + type->getTypeName() + "' cannot be copied";
+        return nullptr;
+    }
+    std::unique_ptr<RTT::base::InputPortInterface> own(clone);
+    (void)own->setName(kPortName);
+    std::unique_ptr<PortWatch> watch(new PortWatch(std::move(own), std::move(value)));
+    watch->json_ = std::move(json);
+    watch->plan_ = std::move(plan);
+    if (port.createConnection(*watch->port_, policyFor(options.buffer))) return watch;
+    why = "it takes no further connection; the log says why";
+    return nullptr;
+}
+
+PortWatch::PortWatch(std::unique_ptr<RTT::base::InputPortInterface> port, RTT::base::DataSourceBase::shared_ptr value)
+    : port_(std::move(port)),
+      link_(*port_),
+      value_(std::move(value)),
+      address_(value_->getRawPointer()),
+      type_(value_->getTypeInfo()->getTypeName()) {}
+
+PortWatch::~PortWatch() = default;
+
+bool PortWatch::read(std::string& encoded) {
+    if (link_.read(address_) != RTT::NewData) return false;
+    if (json_) {
+        encoded = json_->text(address_);
+        return true;
+    }
+    const std::size_t size = plan_->sizeOf(address_);
+    encoded.assign(kCdrHead, sizeof kCdrHead);
+    encoded.resize(sizeof kCdrHead + size);
+    if (size != 0 && plan_->encode(address_, &encoded[sizeof kCdrHead], size) != size) encoded.clear();
+    return true;
+}
+
+std::uint64_t PortWatch::dropped() {
+    std::uint64_t sum = 0;
+    for (const auto& connection : port_->getManager()->getConnections())
+        for (RTT::base::ChannelElementBase::shared_ptr at = boost::get<1>(connection); at; at = at->getInput())
+            if (const RTT::internal::StorageCore* const core = at->storageCore()) {
+                sum += core->store().dropped();
+                break;
+            }
+    return sum;
+}
+
+}  // namespace OCL::live

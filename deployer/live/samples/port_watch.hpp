@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef OROFORGE_LIVE_PORT_WATCH_HPP
+#define OROFORGE_LIVE_PORT_WATCH_HPP
+
+#include <rtt/base/DataSourceBase.hpp>
+#include <rtt/base/InputPortInterface.hpp>
+#include <rtt/base/OutputPortInterface.hpp>
+#include <rtt/encoding/Json.hpp>
+#include <rtt/encoding/Plan.hpp>
+#include <rtt/internal/flow/port_sources.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+namespace OCL::live {
+
+/** How samples are given. */
+enum class SampleForm { Json, Cdr };
+
+/**
+ * A port that is watched, by a connection of its own: while it exists, write() of the port serves one more channel. The
+ * port may be destroyed meanwhile. One thread at a time.
+ */
+class PortWatch {
+public:
+    struct Options {
+        SampleForm form = SampleForm::Json;
+        /** So many samples wait for read(), older ones are dropped; 0: only the newest. */
+        unsigned buffer = 0;
+    };
+
+    /** Connects. Null, with the reason, if the port's type has no such form or the port takes no connection. The port
+        must exist during the call. Takes the lock of connections, and allocates. */
+    static std::unique_ptr<PortWatch> make(RTT::base::OutputPortInterface& port, const Options& options,
+                                           std::string& why);
+    ~PortWatch();
+    PortWatch(const PortWatch&) = delete;
+    PortWatch& operator=(const PortWatch&) = delete;
+
+    /** False if the port was destroyed, or somebody disconnected it. */
+    bool isConnected() const { return port_->connected(); }
+    /** Reads the next new sample; false if there is none. Empty if its value cannot be encoded. */
+    bool read(std::string& encoded);
+    /** Samples that found no room since the beginning. */
+    std::uint64_t dropped();
+
+    const std::string& type() const { return type_; }
+    /** The value that read() sets; for its members. */
+    RTT::base::DataSourceBase& value() const { return *value_; }
+
+private:
+    PortWatch(std::unique_ptr<RTT::base::InputPortInterface> port, RTT::base::DataSourceBase::shared_ptr value);
+
+    const std::unique_ptr<RTT::base::InputPortInterface> port_;
+    const RTT::internal::PortLink link_;
+    const RTT::base::DataSourceBase::shared_ptr value_;
+    void* const address_;
+    const std::string type_;
+    std::shared_ptr<const RTT::encoding::Json> json_;
+    std::shared_ptr<const RTT::encoding::Plan> plan_;
+};
+
+}  // namespace OCL::live
+
+#endif

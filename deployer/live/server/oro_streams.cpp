@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "oro_streams.hpp"
+
+#include "live_client.hpp"
+#include "oro_messages.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include <strings.h>
+
+namespace OCL::live {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kMostStreams = 256;
+constexpr unsigned kUsualBuffer = 128, kLargestBuffer = 10000;
+/** Of one port at a time, so that a fast one does not keep the others waiting. */
+constexpr unsigned kMostAtOnce = 2000;
+constexpr double kSecond = 1e9;
+const char* const kLevels[] = {"Never", "Fatal", "Critical", "Error", "Warning", "Info", "Debug", "RealTime"};
+
+bool parseLevel(const json& from, RTT::LoggerLevel& level) {
+    if (!from.is_string()) return false;
+    for (int i = RTT::Never; i <= RTT::RealTime; ++i)
+        if (::strcasecmp(kLevels[i], from.get_ref<const std::string&>().c_str()) == 0) {
+            level = static_cast<RTT::LoggerLevel>(i);
+            return true;
+        }
+    return false;
+}
+
+/** The number of that name; `otherwise` if there is none. False if it is not between the limits. */
+bool parseNumber(const json& message, const char* name, double least, double most, double& number) {
+    const auto found = message.find(name);
+    if (found == message.end() || found->is_null()) return true;
+    if (!found->is_number()) return false;
+    number = found->get<double>();
+    return number >= least && number <= most;
+}
+
+json fieldsOf(RTT::base::DataSourceBase& value) {
+    json fields = json::array();
+    for (const std::string& name : value.getMemberNames()) {
+        const RTT::base::DataSourceBase::shared_ptr member = value.getMember(name);
+        fields.push_back({{"name", name}, {"type", member ? member->getTypeName() : "unknown"}});
+    }
+    return fields;
+}
+
+}  // namespace
+
+bool OroStreams::receive(const json& message, const json& id, const std::string& op) {
+    if (op == "oro.watch")
+        watch(message, id);
+    else if (op == "oro.unwatch")
+        end(message, id, "watch");
+    else if (op == "oro.log")
+        log(message, id);
+    else if (op == "oro.unlog")
+        end(message, id, "log");
+    else
+        return false;
+    return true;
+}
+
+void OroStreams::watch(const json& message, const json& id) {
+    const auto fail = [&](const char* code, const std::string& text) { client_.sendText(oroError(id, code, text)); };
+    Watch made;
+    double rate = 0, buffer = kUsualBuffer;
+    const auto port = message.find("port");
+    const auto form = message.find("format");
+    if (port == message.end() || !port->is_string()) return fail(kMalformedMessage, "the text 'port' is missing");
+    if (form != message.end() && *form != "json") return fail(kMalformedMessage, "the only format is \"json\"");
+    if (!parseNumber(message, "rate", 0.001, 1000, rate))
+        return fail(kMalformedMessage, "'rate' is not a number of samples per second from 0.001 to 1000");
+    if (!parseNumber(message, "buffer", 1, kLargestBuffer, buffer))
+        return fail(kMalformedMessage, "'buffer' is not a number of samples from 1 to 10000");
+    if (watches_.size() >= kMostStreams) return fail(kTooManyWatches, "this client watches 256 ports already");
+    if (watches_.count(textOf(id)) != 0) return fail(kMalformedMessage, "a watch has this id already");
+    made.id = id;
+    made.path = port->get<std::string>();
+    made.period = rate > 0 ? std::llround(kSecond / rate) : 0;
+    std::string why;
+    const unsigned waiting = made.period != 0 && message.find("buffer") == message.end() ? 0 : static_cast<unsigned>(buffer);
+    made.port = client_.host().watch(made.path, {SampleForm::Json, waiting}, why);
+    if (!made.port) return fail(why.compare(0, 11, "there is no") == 0 ? kUnknownPort : kNotWatchable, why);
+    made.channel = ++lastChannel_;
+    client_.sendText(oroAnswer(id, {{"type", made.port->type()}, {"fields", fieldsOf(made.port->value())}}));
+    watches_.emplace(textOf(id), std::move(made));
+    client_.host().wantsChanged();
+}
+
+void OroStreams::log(const json& message, const json& id) {
+    Log made;
+    const auto level = message.find("level");
+    if (level != message.end() && !level->is_null() && !parseLevel(*level, made.level))
+        return client_.sendText(oroError(id, kMalformedMessage, "'level' is none of Fatal, Critical, Error, Warning, Info "
+                                                                "and Debug"));
+    if (!message.value("follow", json(true)).is_boolean() || !message.value("follow", true))
+        return client_.sendText(oroError(id, kMalformedMessage, "lines of the past are in the file of the log only; "
+                                                                "'follow' must be true"));
+    if (logs_.size() >= kMostStreams) return client_.sendText(oroError(id, kTooManyWatches, "256 streams of the log"));
+    made.id = id;
+    made.channel = ++lastChannel_;
+    made.before = lostLines_;
+    if (!logs_.emplace(textOf(id), made).second)
+        return client_.sendText(oroError(id, kMalformedMessage, "a stream of the log has this id already"));
+    client_.sendText(oroAnswer(id, json::object()));
+    client_.host().wantsChanged();
+}
+
+void OroStreams::end(const json& message, const json& id, const char* field) {
+    const std::string key = textOf(message.value(field, json()));
+    const auto watch = watches_.find(key);
+    const auto log = logs_.find(key);
+    if (field == std::string("watch") && watch != watches_.end()) {
+        client_.queue().forget(watch->second.channel);
+        watches_.erase(watch);
+    } else if (field == std::string("log") && log != logs_.end()) {
+        client_.queue().forget(log->second.channel);
+        logs_.erase(log);
+    } else {
+        return client_.sendText(oroError(id, kNoSuchStream, std::string("no ") + field + " has the id " + key));
+    }
+    client_.sendText(oroAnswer(id, json::object()));
+    client_.host().wantsChanged();
+}
+
+void OroStreams::onTick(std::int64_t now) {
+    bool someEnded = false;
+    for (auto at = watches_.begin(); at != watches_.end();) {
+        if (readAll(at->second, now)) {
+            ++at;
+        } else {
+            client_.sendText(oroError(at->second.id, kPortGone, "port '" + at->second.path +
+                                                                    "' was destroyed or disconnected; the watch has "
+                                                                    "ended"));
+            at = watches_.erase(at);
+            someEnded = true;
+        }
+    }
+    if (someEnded) client_.host().wantsChanged();
+}
+
+bool OroStreams::readAll(Watch& watch, std::int64_t now) {
+    const bool isConnected = watch.port->isConnected();
+    if (now < watch.next) return isConnected;
+    std::string value;
+    // With a rate, the newest of those that wait.
+    bool isNew = false;
+    for (unsigned i = 0; i != kMostAtOnce && watch.port->read(value); ++i) {
+        isNew = true;
+        if (watch.period != 0) continue;
+        const std::uint64_t dropped = watch.port->dropped() + client_.queue().dropped(watch.channel);
+        client_.queue().addSample(watch.channel, {oroSample(watch.id, wallTime(), value, dropped), false});
+    }
+    if (isNew && watch.period != 0) {
+        const std::uint64_t dropped = client_.queue().dropped(watch.channel);
+        client_.queue().addSample(watch.channel, {oroSample(watch.id, wallTime(), value, dropped), false});
+        watch.next = now + watch.period - std::int64_t(kWatchPeriod) * 500000;
+    }
+    return isConnected;
+}
+
+void OroStreams::onLines(const std::vector<LogLine>& lines, std::uint64_t dropped) {
+    lostLines_ = dropped;
+    for (const auto& [key, log] : logs_)
+        for (const LogLine& line : lines) {
+            if (line.level > log.level) continue;
+            const std::uint64_t lost = dropped - log.before + client_.queue().dropped(log.channel);
+            client_.queue().addSample(log.channel, {textOf({{"op", "oro.line"},
+                                                            {"id", log.id},
+                                                            {"time", line.time},
+                                                            {"level", kLevels[line.level]},
+                                                            {"origin", line.origin},
+                                                            {"text", line.text},
+                                                            {"dropped", lost}}),
+                                                    false});
+        }
+}
+
+}  // namespace OCL::live

@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: Apache-2.0
+# Copyright Oroforge contributors
+# Recordings: files that robotics viewers open. Left out if there is no library that compresses them.
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(ZSTD IMPORTED_TARGET libzstd)
+pkg_check_modules(LZ4 IMPORTED_TARGET liblz4)
+if(NOT ZSTD_FOUND AND NOT LZ4_FOUND)
+  message(STATUS "neither zstd (libzstd-dev) nor lz4 (liblz4-dev) is installed: no recordings (MCAP files)")
+  return()
+endif()
+
+add_library(oroforge_mcap STATIC
+  reporting/mcap/chunk.cpp
+  reporting/mcap/compression.cpp
+  reporting/mcap/crc32.cpp
+  reporting/mcap/records.cpp
+  reporting/mcap/salvage.cpp
+  reporting/mcap/scan.cpp
+  reporting/mcap/source.cpp
+  reporting/mcap/summary.cpp
+  reporting/mcap/writer.cpp)
+target_include_directories(oroforge_mcap PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
+set_target_properties(oroforge_mcap PROPERTIES POSITION_INDEPENDENT_CODE ON)
+foreach(library ZSTD LZ4)
+  string(TOLOWER ${library} name)
+  if(${library}_FOUND)
+    target_link_libraries(oroforge_mcap PRIVATE PkgConfig::${library})
+    target_compile_definitions(oroforge_mcap PRIVATE OROFORGE_MCAP_${library})
+  else()
+    message(STATUS "${name} (lib${name}-dev) is not installed: recordings cannot be compressed by it")
+  endif()
+endforeach()
+
+oroforge_component_library(reporting-mcap
+  reporting/recording/McapReporting.cpp
+  reporting/recording/chunk_pipe.cpp
+  reporting/recording/components.cpp
+  reporting/recording/options.cpp
+  reporting/recording/record_file.cpp
+  reporting/recording/recorded_source.cpp
+  reporting/recording/recording.cpp)
+target_link_libraries(orocos-ocl-reporting-mcap
+  PUBLIC orocos-ocl-reporting
+  PRIVATE orocos-rtt-encoding $<BUILD_INTERFACE:oroforge_mcap> $<BUILD_INTERFACE:oroforge_diag>)
+target_compile_definitions(orocos-ocl-reporting-mcap PRIVATE OROFORGE_VERSION="${PROJECT_VERSION}")

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "salvage.hpp"
+
+#include "scan.hpp"
+
+#include <cstring>
+#include <set>
+#include <utility>
+
+namespace oroforge::mcap {
+namespace {
+
+constexpr std::size_t kMostProblems = 1000;
+/** Of messages that were not in a chunk. */
+constexpr std::size_t kChunkRoom = std::size_t(1) << 20;
+
+class Copy : public Visitor {
+public:
+    Copy(Sink& to, Salvaged& result) : writer_(to), result_(result), loose_(kChunkRoom) {}
+
+    void header(const Header& header) override {
+        if (!std::exchange(begun_, true)) (void)writer_.begin(header);
+    }
+    void schema(const Schema& schema) override {
+        if (!schemas_.insert(schema.id).second) return;
+        begin();
+        (void)writer_.add(schema);
+    }
+    void channel(const Channel& channel) override {
+        if (!channels_.insert(channel.id).second) return;
+        begin();
+        (void)writer_.add(channel);
+    }
+    void metadata(const Metadata& metadata) override {
+        begin();
+        flush();
+        (void)writer_.add(metadata);
+    }
+    void problem(const Problem& problem) override {
+        if (result_.problems.size() < kMostProblems) result_.problems.push_back(problem);
+    }
+    void chunk(const ChunkHead& head, const Bytes& record) override {
+        flush();
+        waiting_ = true;
+        packed_.head = head;
+        packed_.before.clear();
+        put(packed_.before, head);
+        // Bytes may follow the packed ones.
+        Cursor content(record.data(), record.size());
+        ChunkHead again;
+        (void)getHead(content, again);
+        const unsigned char* const packed = content.take(head.packedSize);
+        packed_.packed.assign(packed, packed + head.packedSize);
+        packed_.body = packed_.packed.data();
+    }
+    void message(const Message& message) override {
+        ++result_.messages;
+        if (waiting_) return entries_.push_back({message.channel, message.logTime, message.offset});
+        addLoose(message);
+    }
+
+    void end() {
+        flush();
+        begin();
+        (void)writer_.finish();
+        result_.error = writer_.error();
+    }
+
+private:
+    void begin() {
+        if (!std::exchange(begun_, true)) (void)writer_.begin({"", "oroforge"});
+    }
+    void addLoose(const Message& message) {
+        unsigned char* place = loose_.place(message.size);
+        if (!place) {
+            flush();
+            loose_.grow(message.size);
+            place = loose_.place(message.size);
+        }
+        if (message.size != 0) std::memcpy(place, message.data, message.size);
+        loose_.add(message);
+    }
+    void flush() {
+        if (std::exchange(waiting_, false)) {
+            indexMessages(entries_, packed_);
+            write();
+        }
+        entries_.clear();
+        if (loose_.empty()) return;
+        std::string why;
+        (void)packed_.pack(loose_, nullptr, why);
+        write();
+        loose_.clear();
+    }
+    void write() {
+        begin();
+        if (writer_.write(packed_)) ++result_.chunks;
+    }
+
+    Writer writer_;
+    Salvaged& result_;
+    Chunk loose_;
+    PackedChunk packed_;
+    bool begun_ = false, waiting_ = false;
+    std::vector<Chunk::Entry> entries_;
+    std::set<std::uint16_t> schemas_, channels_;
+};
+
+}  // namespace
+
+Salvaged salvage(Source& from, Sink& to) {
+    Salvaged result;
+    Copy copy(to, result);
+    (void)scan(from, copy);
+    copy.end();
+    return result;
+}
+
+}  // namespace oroforge::mcap

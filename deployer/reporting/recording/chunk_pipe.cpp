@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "chunk_pipe.hpp"
+
+#include <rtt/Logger.hpp>
+
+#include <algorithm>
+#include <csignal>
+#include <new>
+
+namespace OCL::recording {
+namespace {
+
+/** The chunks together, at least: half a second of 32 MB/s while the disk does not answer. */
+constexpr std::size_t kAllChunks = std::size_t(16) << 20;
+constexpr std::size_t kFewest = 3, kMost = 64;
+constexpr std::chrono::seconds kPatience(2);
+
+/** Blocks the signals that a closed pipe or a file size limit would send to this thread: they would end the process
+    with all other components, and write() returns an error anyway. */
+void takeNoSignalsOfWriting() {
+    sigset_t signals;
+    sigemptyset(&signals);
+    sigaddset(&signals, SIGPIPE);
+    sigaddset(&signals, SIGXFSZ);
+    (void)pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+}
+
+}  // namespace
+
+ChunkPipe::ChunkPipe(const Options& options, ChunkTaker& taker, std::function<void()> onLoss)
+    : RTT::Activity(ORO_SCHED_OTHER, 0, 0.0, nullptr, options.name),
+      chunkTime_(static_cast<std::chrono::nanoseconds::rep>(options.chunkTime * 1e9)),
+      taker_(taker),
+      onLoss_(std::move(onLoss)) {
+    const std::size_t count = std::clamp(kAllChunks / std::max<std::size_t>(options.chunkSize, 1), kFewest, kMost);
+    free_.reserve(count);
+    full_.reserve(count);
+    for (std::size_t i = 0; i != count; ++i) {
+        all_.emplace_back(new Chunk(options.chunkSize));
+        free_.push_back(all_.back().get());
+    }
+    started_ = start();
+}
+
+ChunkPipe::~ChunkPipe() { finish(); }
+
+bool ChunkPipe::getOpen() {
+    if (!open_ && !free_.empty()) {
+        open_ = free_.back();
+        free_.pop_back();
+    }
+    return open_;
+}
+
+void ChunkPipe::handOver() {
+    full_.push_back(open_);
+    open_ = nullptr;
+    wake_.notify_one();
+}
+
+unsigned char* ChunkPipe::Filling::place(std::size_t& left) {
+    if (!pipe_.getOpen()) return nullptr;
+    left = pipe_.open_->left();
+    return pipe_.open_->place(left);
+}
+
+unsigned char* ChunkPipe::Filling::placeFor(std::size_t size) {
+    if (size > kLargestMessage || !pipe_.getOpen()) return nullptr;
+    if (unsigned char* const place = pipe_.open_->place(size)) return place;
+    if (!pipe_.open_->empty()) {
+        pipe_.handOver();
+        if (!pipe_.getOpen()) return nullptr;
+    }
+    try {
+        pipe_.open_->grow(size);
+    } catch (const std::bad_alloc&) {
+        return nullptr;
+    }
+    return pipe_.open_->place(size);
+}
+
+void ChunkPipe::Filling::add(const oroforge::mcap::Message& message) {
+    if (pipe_.open_->empty()) pipe_.openSince_ = Clock::now();
+    pipe_.open_->add(message);
+}
+
+bool ChunkPipe::save() {
+    std::unique_lock<std::mutex> lock(mutex_);
+    if (ending_ || !started_) return false;
+    const unsigned mine = ++saves_;
+    wake_.notify_one();
+    done_.wait(lock, [&] { return ended_ || saved_ - mine < ~0U / 2; });
+    return savedWell_ && !ended_;
+}
+
+void ChunkPipe::finish() {
+    if (!started_) return;
+    started_ = false;
+    {
+        std::unique_lock<std::mutex> lock(mutex_);
+        ending_ = true;
+        wake_.notify_one();
+        if (!done_.wait_for(lock, kPatience, [&] { return ended_; })) {
+            lock.unlock();
+            RTT::log(RTT::Warning) << "waiting for the disk to take the last messages of a recording" << RTT::endlog();
+            lock.lock();
+            done_.wait(lock, [&] { return ended_; });
+        }
+    }
+    (void)stop();
+}
+
+/** Waits for a chunk to write; null if there are none and something else is to be done. */
+ChunkPipe::Chunk* ChunkPipe::nextFull(std::unique_lock<std::mutex>& lock) {
+    for (;;) {
+        const bool isOpen = open_ && !open_->empty();
+        const Clock::time_point due = isOpen ? openSince_ + chunkTime_ : Clock::now() + chunkTime_;
+        const bool isWanted = ending_ || saves_ != saved_ || Clock::now() >= due;
+        if (full_.empty() && isOpen && isWanted) handOver();
+        if (!full_.empty()) {
+            Chunk* const first = full_.front();
+            full_.erase(full_.begin());
+            return first;
+        }
+        if (ending_ || saves_ != saved_) return nullptr;
+        (void)wake_.wait_until(lock, due);
+    }
+}
+
+void ChunkPipe::loop() {
+    takeNoSignalsOfWriting();
+    std::unique_lock<std::mutex> lock(mutex_);
+    for (;;) {
+        if (Chunk* const chunk = nextFull(lock)) {
+            lock.unlock();
+            if (!taker_.take(*chunk)) {
+                lost_.fetch_add(chunk->entries().size(), std::memory_order_relaxed);
+                onLoss_();
+            }
+            chunk->clear();
+            lock.lock();
+            free_.push_back(chunk);
+        } else if (saves_ != saved_) {
+            const unsigned last = saves_;
+            lock.unlock();
+            const bool well = taker_.save();
+            lock.lock();
+            savedWell_ = well;
+            saved_ = last;
+            done_.notify_all();
+        } else {
+            break;
+        }
+    }
+    ended_ = true;
+    done_.notify_all();
+}
+
+}  // namespace OCL::recording

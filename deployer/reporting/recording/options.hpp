@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef OROFORGE_RECORDING_OPTIONS_HPP
+#define OROFORGE_RECORDING_OPTIONS_HPP
+
+#include "recording.hpp"
+
+#include <string>
+
+namespace OCL::recording {
+
+/** Properties of the component. */
+struct OptionTexts {
+    std::string compression, split, clock, schema;
+    unsigned int chunkSize;
+    double chunkTime, ring;
+};
+
+/** False, with what is wrong, if a text or number is not valid. */
+bool readOptions(const OptionTexts& texts, RecordingOptions& options, std::string& why);
+/** "", "500 MB", "2GB", "90 s", "10 min". */
+bool readSplit(const std::string& text, Split& split);
+
+}  // namespace OCL::recording
+
+#endif

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "recording.hpp"
+
+#include <rtt/Logger.hpp>
+#include <rtt/os/TimeService.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <sys/utsname.h>
+#include <utility>
+
+namespace OCL::recording {
+namespace {
+
+namespace mcap = oroforge::mcap;
+
+/** The most samples of one port in one cycle, so that a writer that never pauses cannot prevent a stop. */
+constexpr unsigned kSamplesPerCycle = 10000;
+
+std::int64_t timeOfDay() {
+    return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::system_clock::now().time_since_epoch())
+        .count();
+}
+
+std::string dateNow() {
+    const std::time_t now = std::time(nullptr);
+    std::tm parts{};
+    char text[32] = "";
+    if (gmtime_r(&now, &parts)) (void)std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
+    return text;
+}
+
+mcap::Metadata about(const RecordingOptions& options) {
+    mcap::Metadata result{"oroforge", {}};
+    result.texts["component"] = options.component;
+    result.texts["clock"] = options.realtime ? "realtime" : "component";
+    result.texts["version"] = OROFORGE_VERSION;
+    // The same run in simulated time gives the same file.
+    if (!options.realtime) return result;
+    result.texts["start"] = dateNow();
+    utsname system{};
+    if (::uname(&system) != 0) return result;
+    result.texts["host"] = system.nodename;
+    result.texts["kernel"] = std::string(system.sysname) + " " + system.release + " " + system.machine;
+    return result;
+}
+
+}  // namespace
+
+std::unique_ptr<Recording> Recording::make(const reporting::Sources& sources, const RecordingOptions& options) {
+    std::unique_ptr<Recording> result(new Recording(options));
+    for (const std::shared_ptr<reporting::Source>& source : sources) result->add(source);
+    if (!result->begin()) return nullptr;
+    return result;
+}
+
+Recording::Recording(const RecordingOptions& options)
+    : options_(options), toClock_(options.realtime ? timeOfDay() - RTT::os::TimeService::Instance()->getNSecs() : 0) {
+    content_.file = options.file;
+    content_.header = {"ros2", "oroforge " OROFORGE_VERSION};
+    content_.about = about(options);
+    content_.atEnd = [this] { return atEnd(); };
+    content_.compression = options.compression;
+}
+
+Recording::~Recording() {
+    if (pipe_) pipe_->finish();
+}
+
+void Recording::add(const std::shared_ptr<reporting::Source>& source) {
+    std::string why;
+    std::unique_ptr<RecordedSource> added = RecordedSource::make(source, options_.sources, why);
+    if (!added || content_.channels.size() == 0xffffU) {
+        RTT::log(RTT::Error) << "'" << options_.component << "' does not record '" << source->name() << "': error: ["
+                             << "MCP011"
+                             << "] " << (added ? "a file has at most 65535 channels" : why) << RTT::endlog();
+        return;
+    }
+    if (options_.sources.language == RTT::encoding::SchemaLanguage::Auto && !added->schema().illegal.empty())
+        RTT::log(RTT::Info) << "'" << source->name()
+                            << "' is described by IDL, which not all viewers read: " << added->schema().illegal
+                            << "; RosNames=true gives its fields names that ROS takes" << RTT::endlog();
+    mcap::Channel channel = added->channel(static_cast<std::uint16_t>(content_.channels.size() + 1));
+    channel.schema = schemaOf(added->schema());
+    content_.channels.push_back(std::move(channel));
+    sources_.push_back(std::move(added));
+}
+
+std::uint16_t Recording::schemaOf(const RTT::encoding::SchemaText& text) {
+    for (const mcap::Schema& known : content_.schemas)
+        if (known.name == text.name && known.encoding == text.encoding && known.data == text.text) return known.id;
+    const auto id = static_cast<std::uint16_t>(content_.schemas.size() + 1);
+    content_.schemas.push_back({id, text.name, text.encoding, text.text});
+    return id;
+}
+
+bool Recording::begin() {
+    ChunkTaker* taker = nullptr;
+    if (options_.ring > 0) {
+        last_.reset(new LastChunks(content_, options_.ring));
+        taker = last_.get();
+    } else {
+        file_.reset(new FileTaker(content_, options_.split));
+        taker = file_.get();
+        if (!file_->error().empty()) {
+            RTT::log(RTT::Error) << file_->error() << RTT::endlog();
+            return false;
+        }
+    }
+    const auto onLoss = [this, told = false]() mutable {
+        if (failed() && !std::exchange(told, true)) options_.onFailure();
+    };
+    pipe_.reset(
+        new ChunkPipe({options_.component + ".Writer", options_.chunkSize, options_.chunkTime}, *taker, onLoss));
+    writeRow();
+    return true;
+}
+
+std::uint64_t Recording::now() const {
+    const std::int64_t time = RTT::os::TimeService::Instance()->getNSecs() + toClock_;
+    return static_cast<std::uint64_t>(std::max<std::int64_t>(time, 0));
+}
+
+bool Recording::read() {
+    bool any = false;
+    const std::function<std::uint64_t()> clock = [this] { return now(); };
+    for (const auto& source : sources_) any |= source->addSamples(*pipe_, clock, kSamplesPerCycle);
+    if (lost() != 0 && !std::exchange(everLost_, true))
+        RTT::log(RTT::Error)
+            << "a message of the recording of '" << options_.component
+            << "' is lost: its buffer is too small for its period (see ReportPolicy), or the disk does "
+               "not take them as fast as they come"
+            << RTT::endlog();
+    return any;
+}
+
+void Recording::writeRow() {
+    for (const auto& source : sources_) source->addValue(*pipe_, now());
+}
+
+void Recording::clearPorts() {
+    for (const auto& source : sources_) source->forgetSamples();
+}
+
+void Recording::wakeOnData(bool on) {
+    for (const auto& source : sources_)
+        if (RTT::base::InputPortInterface* const port = source->port()) port->signalInterface(on);
+}
+
+void Recording::finish() {
+    // Samples from before stop() belong to the recording.
+    (void)read();
+    pipe_->finish();
+    if (file_) file_->finish();
+    if (lost() != 0)
+        RTT::log(RTT::Error) << lost() << " messages of the recording of '" << options_.component << "' are lost"
+                             << RTT::endlog();
+}
+
+unsigned long Recording::lost() const {
+    unsigned long sum = pipe_ ? pipe_->lost() : 0;
+    for (const auto& source : sources_) sum += source->lost();
+    return sum;
+}
+
+/** What is known to be lost so far. Called by the thread of the pipe, too. */
+mcap::Metadata Recording::atEnd() const {
+    mcap::Metadata result{"oroforge.lost", {}};
+    std::uint64_t sum = 0;
+    for (std::size_t i = 0; i != sources_.size(); ++i) {
+        const std::uint64_t lost = sources_[i]->lost();
+        sum += lost;
+        if (lost != 0) result.texts[content_.channels[i].topic] = std::to_string(lost);
+    }
+    result.texts["all"] = std::to_string(sum);
+    return result;
+}
+
+}  // namespace OCL::recording

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef OROFORGE_RECORDING_RECORDING_HPP
+#define OROFORGE_RECORDING_RECORDING_HPP
+
+#include "chunk_pipe.hpp"
+#include "record_file.hpp"
+#include "recorded_source.hpp"
+
+#include <reporting/report.hpp>
+#include <reporting/running_report.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace OCL::recording {
+
+struct RecordingOptions {
+    std::string component, file;
+    oroforge::mcap::Compression compression = oroforge::mcap::Compression::None;
+    std::size_t chunkSize = 0;
+    double chunkTime = 0, ring = 0;  ///< seconds; without a ring, everything is written
+    Split split;
+    bool realtime = true;  ///< messages have the time of day; otherwise that of the TimeService
+    RecordedSource::Options sources;
+    std::function<void()> onFailure;  ///< called once by another thread, when nothing more can be written
+};
+
+/** A recording from start() to stop() of its component. */
+class Recording final : public reporting::Report {
+public:
+    /** Null, with an error in the log, if the file cannot be written. */
+    static std::unique_ptr<Recording> make(const reporting::Sources& sources, const RecordingOptions& options);
+    ~Recording() override;
+
+    /** Adds all samples that are there. Does not wait for the disk; allocates for a sample larger than all before. */
+    bool read() override;
+    /** Adds properties and attributes that have changed. */
+    void writeRow() override;
+    void clearPorts() override;
+    void wakeOnData(bool on) override;
+    void finish() override;
+    unsigned long lost() const override;
+    bool failed() const override { return file_ && file_->failed(); }
+
+    /** Writes the ring to a file, and waits for that. */
+    bool save() { return last_ && pipe_->save(); }
+
+private:
+    explicit Recording(const RecordingOptions& options);
+    void add(const std::shared_ptr<reporting::Source>& source);
+    std::uint16_t schemaOf(const RTT::encoding::SchemaText& text);
+    bool begin();
+    std::uint64_t now() const;
+    oroforge::mcap::Metadata atEnd() const;
+
+    const RecordingOptions options_;
+    const std::int64_t toClock_;  // what is added to the time of the TimeService
+    FileContent content_;
+    std::vector<std::unique_ptr<RecordedSource>> sources_;
+    std::unique_ptr<FileTaker> file_;   // without a ring
+    std::unique_ptr<LastChunks> last_;  // the ring
+    std::unique_ptr<ChunkPipe> pipe_;   // last: its thread uses those
+    bool everLost_ = false;
+};
+
+}  // namespace OCL::recording
+
+#endif

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// What McapReporting records, and what it says of that which it loses.
+#include "mcap_report_fixture.hpp"
+
+#include <fcntl.h>
+#include <numeric>
+#include <sys/stat.h>
+#include <thread>
+#include <unistd.h>
+
+namespace {
+
+using namespace mcap_test;
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::Not;
+using testing::SizeIs;
+
+TEST_F(Recorder, HasEverySampleBetweenTwoCycles) {
+    ASSERT_TRUE(recorder->reportComponent("Machine"));
+    ASSERT_TRUE(recorder->reportPort("Machine", "motor.current"));
+    machine.speed.write(-1);  // before the recording
+    ASSERT_TRUE(recorder->start());
+    for (int i = 0; i != 100; ++i) {
+        machine.speed.write(i);
+        machine.place.write({1.0 * i, 2});
+        if (i % 10 == 9) step();
+    }
+    machine.current.write(2.5F);  // read by stop()
+    recorder->stop();
+    const Found found = read();
+    EXPECT_THAT(found.problems, IsEmpty());
+    EXPECT_TRUE(found.scanned.hasEnd);
+    EXPECT_THAT(found.headers, ElementsAre("ros2"));
+    std::vector<double> all(100);
+    std::iota(all.begin(), all.end(), 0);
+    EXPECT_EQ(all, numbersOf(found, "/Machine/speed"));
+    EXPECT_THAT(found.messages, SizeIs(201));
+    const Channel& current = found.channels.back();
+    EXPECT_EQ("/Machine/motor/current", current.topic);
+    EXPECT_EQ("cdr", current.encoding);
+    EXPECT_EQ("Machine.motor.current", current.metadata.at("oroforge.source"));
+    EXPECT_EQ("std_msgs/msg/Float32", found.schemas.at(current.schema - 1U).name);
+    ASSERT_THAT(found.allMetadata, SizeIs(2));
+    EXPECT_EQ("component", found.allMetadata[0].texts.at("clock"));
+    EXPECT_EQ("0", found.allMetadata[1].texts.at("all"));
+    std::uint64_t before = 0;
+    for (const Told& one : found.messages)
+        if (std::get<0>(one) == 1) {
+            EXPECT_GE(std::get<2>(one), before);
+            before = std::get<2>(one);
+        }
+}
+
+TEST_F(Recorder, IsWokenByDataWithoutAPeriod) {
+    recorder->setActivity(new RTT::extras::SequentialActivity());
+    ASSERT_TRUE(recorder->reportPort("Machine", "speed") && recorder->start());
+    for (int i = 0; i != 5; ++i) machine.speed.write(i);
+    recorder->stop();
+    EXPECT_EQ((std::vector<double>{0, 1, 2, 3, 4}), numbersOf(read(), "/Machine/speed"));
+}
+
+TEST_F(Recorder, CountsWhatABufferDropped) {
+    const LogText log;
+    RTT::ConnPolicy policy = RTT::ConnPolicy::circularBuffer(10);
+    set("ReportPolicy", policy);
+    ASSERT_TRUE(recorder->reportPort("Machine", "speed") && recorder->start());
+    machine.speed.write(0);
+    step();
+    for (int i = 1; i != 51; ++i) machine.speed.write(i);
+    step();
+    recorder->stop();
+    const Found found = read();
+    ASSERT_THAT(found.messages, SizeIs(11));
+    EXPECT_EQ(0U, std::get<1>(found.messages[0]));
+    EXPECT_EQ(41U, std::get<1>(found.messages[1]));
+    EXPECT_EQ(50U, std::get<1>(found.messages[10]));
+    EXPECT_EQ("40", found.allMetadata[1].texts.at("all"));
+    EXPECT_EQ("40", found.allMetadata[1].texts.at("/Machine/speed"));
+    EXPECT_THAT(log(), HasSubstr("40 messages of the recording of 'Recorder' are lost"));
+}
+
+TEST_F(Recorder, HasPropertiesWhenTheyChange) {
+    ASSERT_TRUE(recorder->reportData("Machine", "gain") && recorder->start());
+    for (int i = 0; i != 6; ++i) {
+        if (i == 3) machine.gain = 2.5;
+        step();
+    }
+    recorder->stop();
+    EXPECT_EQ((std::vector<double>{1.5, 2.5}), numbersOf(read(), "/Machine/gain"));
+    EXPECT_EQ("value", read().channels.at(0).metadata.at("oroforge.kind"));
+}
+
+TEST_F(Recorder, TakesMessagesLargerThanAChunk) {
+    set("ChunkSize", 4096U);
+    ASSERT_TRUE(recorder->reportPort("Machine", "levels") && recorder->start());
+    for (const std::size_t size : {10U, 5000U, 3U, 100000U, 5000U}) machine.levels.write(std::vector<double>(size, 1));
+    step();
+    recorder->stop();
+    const Found found = read();
+    ASSERT_THAT(found.messages, SizeIs(5));
+    EXPECT_EQ(4 + 4 + 4 + 100000 * 8U, std::get<3>(found.messages[3]).size());
+}
+
+TEST_F(Recorder, SplitsBySizeAndLosesNothing) {
+    set("ChunkSize", 4096U);
+    set<std::string>("Split", "20 kB");
+    ASSERT_TRUE(recorder->reportPort("Machine", "speed") && recorder->start());
+    for (int i = 0; i != 2000; ++i) {
+        machine.speed.write(i);
+        if (i % 100 == 99) {
+            step();
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+    }
+    recorder->stop();
+    std::vector<double> all;
+    int files = 0;
+    for (std::string name = "run.mcap"; std::filesystem::exists(directory / name); ++files) {
+        const Found found = read(name);
+        EXPECT_TRUE(found.scanned.hasEnd && found.problems.empty()) << name;
+        const std::vector<double> part = numbersOf(found, "/Machine/speed");
+        EXPECT_THAT(part, Not(IsEmpty()));
+        all.insert(all.end(), part.begin(), part.end());
+        EXPECT_LT(std::filesystem::file_size(directory / name), 23000U);
+        name = "run_" + std::to_string(files + 1) + ".mcap";
+    }
+    EXPECT_GE(files, 4);
+    std::vector<double> expected(2000);
+    std::iota(expected.begin(), expected.end(), 0);
+    EXPECT_EQ(expected, all);
+}
+
+TEST_F(Recorder, SplitsByTime) {
+    set("ChunkSize", 4096U);
+    set<std::string>("Split", "10 s");
+    ASSERT_TRUE(recorder->reportPort("Machine", "levels") && recorder->start());
+    for (int i = 0; i != 30; ++i) {
+        machine.levels.write(std::vector<double>(300, i));
+        step(1);
+    }
+    recorder->stop();
+    std::size_t count = 0;
+    for (const char* const name : {"run.mcap", "run_1.mcap", "run_2.mcap"}) count += read(name).messages.size();
+    EXPECT_EQ(30U, count);
+    EXPECT_GE(read("run_1.mcap").messages.size(), 9U);
+}
+
+TEST_F(Recorder, RingHasTheLastSeconds) {
+    set("ChunkSize", 4096U);
+    set("Ring", 5.0);
+    for (const char* const compression : {"none", "zstd"}) {
+        set<std::string>("Compression", compression);
+        ASSERT_TRUE(recorder->reportPort("Machine", "levels") && recorder->start());
+        for (int i = 0; i != 30; ++i) {
+            machine.levels.write(std::vector<double>(300, i));
+            step(1);
+        }
+        EXPECT_FALSE(std::filesystem::exists(directory / "run.mcap"));
+        EXPECT_TRUE(recorder->save());
+        machine.levels.write({0.5});
+        step(1);
+        EXPECT_TRUE(recorder->save());
+        recorder->stop();
+        const Found found = read();
+        EXPECT_TRUE(found.scanned.hasEnd && found.problems.empty());
+        EXPECT_GE(found.messages.size(), 5U);
+        EXPECT_LE(found.messages.size(), 8U);
+        EXPECT_THAT(std::get<3>(read("run_1.mcap").messages.back()), SizeIs(20));
+        for (const char* const name : {"run.mcap", "run_1.mcap"}) std::filesystem::remove(directory / name);
+    }
+    const LogText log;
+    EXPECT_FALSE(recorder->save());
+    EXPECT_THAT(log(), HasSubstr("'Recorder' saved nothing: it must run"));
+}
+
+TEST_F(Recorder, DoesNotStartIfTheFileCannotBeWritten) {
+    const LogText log;
+    set<std::string>("ReportFile", file("no/such/run.mcap"));
+    ASSERT_TRUE(recorder->reportPort("Machine", "speed"));
+    EXPECT_FALSE(recorder->start());
+    EXPECT_THAT(log(), HasSubstr("/no/such/run.mcap' for recording: No such file or directory"));
+    set<std::string>("ReportFile", "/dev/full");
+    EXPECT_FALSE(recorder->start());
+    EXPECT_THAT(log(), HasSubstr("/dev/full: byte 0: error: [MCP009] the recording cannot be written: No space left"));
+}
+
+TEST_F(Recorder, ReportsOnceThatNothingMoreCanBeWritten) {
+    const LogText log;
+    const std::string pipe = file("pipe");
+    ASSERT_EQ(0, mkfifo(pipe.c_str(), 0600));
+    const int reader = open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+    set<std::string>("ReportFile", pipe);
+    set("ChunkSize", 4096U);
+    set("ChunkTime", 0.01);
+    ASSERT_TRUE(recorder->reportPort("Machine", "speed") && recorder->start());
+    close(reader);
+    for (int i = 0; i != 2000 && !recorder->inRunTimeError(); ++i) {
+        machine.speed.write(i);
+        step();
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    EXPECT_TRUE(recorder->inRunTimeError());
+    recorder->stop();
+    const std::string said = log();
+    const std::size_t first = said.find("[MCP009] the recording cannot be written: Broken pipe");
+    ASSERT_NE(said.npos, first) << said;
+    EXPECT_EQ(said.npos, said.find("MCP009", first + 10));
+    EXPECT_THAT(said, HasSubstr("messages of the recording of 'Recorder' are lost"));
+}
+
+TEST_F(Recorder, RefusesPropertiesThatMakeNoSense) {
+    const LogText log;
+    ASSERT_TRUE(recorder->reportPort("Machine", "speed"));
+    const auto refuses = [&](const std::string& property, auto wrong, auto right, const std::string& said) {
+        set(property, wrong);
+        EXPECT_FALSE(recorder->start()) << property;
+        EXPECT_THAT(log(), HasSubstr(said));
+        set(property, right);
+    };
+    const std::string none;
+    refuses("Compression", std::string("zst"), std::string("none"), "found 'zst', expected one of none, ");
+    refuses("Clock", std::string("wall"), std::string("component"), "property Clock: found 'wall'");
+    refuses("Schema", std::string("idl"), std::string("auto"), "property Schema: found 'idl'");
+    for (const char* const split : {"5", "x MB", "-1 s", "1e300 GB", "nan s", "5 MBit"})
+        refuses("Split", std::string(split), none, "property Split: found '" + std::string(split) + "'");
+    refuses("ChunkSize", 0U, 4096U, "property ChunkSize: found 0, expected 4096 to");
+    refuses("ChunkSize", ~0U, 4096U, "property ChunkSize: found 4294967295");
+    refuses("ChunkTime", 0.0, 0.5, "property ChunkTime: found 0.0");
+    refuses("Ring", -1.0, 0.0, "property Ring: found -1.0");
+    EXPECT_TRUE(recorder->start());
+}
+
+TEST_F(Recorder, LeavesOutWhatHasNoDescriptionAndSaysSo) {
+    const LogText log;
+    set<std::string>("Schema", "ros2msg");
+    ASSERT_TRUE(recorder->reportData("Machine", "limits"));
+    ASSERT_TRUE(recorder->reportPort("Machine", "speed") && recorder->start());
+    EXPECT_THAT(log(), HasSubstr("'Recorder' does not record 'Machine.limits': error: [MCP011] "));
+    machine.speed.write(1);
+    step();
+    recorder->stop();
+    EXPECT_THAT(read().messages, SizeIs(1));
+}
+
+TEST_F(Recorder, HasTheTimeOfDayIfAsked) {
+    set<std::string>("Clock", "realtime");
+    ASSERT_TRUE(recorder->reportPort("Machine", "speed") && recorder->start());
+    machine.speed.write(1);
+    step();
+    recorder->stop();
+    const Found found = read();
+    ASSERT_THAT(found.messages, SizeIs(1));
+    const auto age =
+        static_cast<double>(std::time(nullptr)) - static_cast<double>(std::get<2>(found.messages[0])) / 1e9;
+    EXPECT_LT(std::abs(age), 30);
+    EXPECT_THAT(found.allMetadata[0].texts.at("host"), Not(IsEmpty()));
+}
+
+TEST_F(Recorder, RunsAgainAndTheFileBeginsAnew) {
+    ASSERT_TRUE(recorder->reportPort("Machine", "speed"));
+    for (int run = 0; run != 3; ++run) {
+        ASSERT_TRUE(recorder->start());
+        machine.speed.write(run);
+        recorder->stop();
+        EXPECT_EQ(std::vector<double>{1.0 * run}, numbersOf(read(), "/Machine/speed"));
+    }
+}
+
+}  // namespace

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// Values of every type of the golden typekits are recorded, and read by the libraries of MCAP and Foxglove
+// (tests/mcap_judges), which know nothing of us: they find what our JSON says. `./dev judges` installs those libraries.
+#include <ocl/McapReporting.hpp>
+#include <rtt/TaskContext.hpp>
+#include <rtt/base/OutputPortInterface.hpp>
+#include <rtt/encoding/Json.hpp>
+#include <rtt/encoding/SchemaText.hpp>
+#include <rtt/Property.hpp>
+#include <rtt/extras/SlaveActivity.hpp>
+#include <rtt/os/TimeService.hpp>
+#include <rtt/types/Types.hpp>
+#include <support/child_process.hpp>
+#include <support/golden.hpp>
+#include <support/temp_dir.hpp>
+
+#include "shape_filler.hpp"
+
+#include <dlfcn.h>
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+namespace {
+
+using namespace oroforge::test;
+using RTT::types::TypeInfo;
+using testing::HasSubstr;
+
+void load(const std::string& file) {
+    void* const library = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+    ASSERT_NE(library, nullptr) << ::dlerror();
+    ASSERT_TRUE(reinterpret_cast<bool (*)(RTT::TaskContext*)>(::dlsym(library, "loadRTTPlugin"))(nullptr));
+}
+
+class RecordedValues : public testing::Test {
+protected:
+    static void SetUpTestSuite() {
+        load(RTT_TYPEKIT_FILE);
+        std::istringstream words(GOLDEN_TYPEKITS);
+        for (std::string word; words >> word;)
+            load(std::string(GOLDEN_TYPEKIT_DIR) + "/libgolden_typekit_" + word + ".so");
+    }
+    void SetUp() override {
+        if (!std::filesystem::exists(std::string(JUDGES_DIR) + "/node_modules"))
+            GTEST_SKIP() << "the libraries that judge are not installed: ./dev judges";
+    }
+
+    template <class T>
+    static void set(RTT::TaskContext& component, const char* name, const T& value) {
+        dynamic_cast<RTT::Property<T>&>(*component.getProperty(name)).set(value);
+    }
+
+    /** Records two values of each type; returns the number of messages. */
+    std::size_t record(const std::string& compression, const std::string& schema) {
+        RTT::TaskContext types("Types");
+        OCL::McapReporting recorder("Recorder");
+        recorder.addPeer(&types);
+        recorder.setActivity(new RTT::extras::SlaveActivity(0.01));
+        set<std::string>(recorder, "ReportFile", (directory / "run.mcap").string());
+        set<std::string>(recorder, "Compression", compression);
+        set<std::string>(recorder, "Schema", schema);
+        set(recorder, "ChunkSize", 4096U);
+        std::vector<std::unique_ptr<RTT::base::OutputPortInterface>> ports;
+        for (const std::string& name : RTT::types::Types()->getTypes()) {
+            const TypeInfo& type = *RTT::types::Types()->type(name);
+            RTT::encoding::SchemaText text;
+            std::string why;
+            if (*type.getArrayElement() != '\0' || !type.buildValue()) continue;
+            const auto language =
+                schema == "omgidl" ? RTT::encoding::SchemaLanguage::OmgIdl : RTT::encoding::SchemaLanguage::Auto;
+            if (!RTT::encoding::describeType(type, language, false, text, why)) continue;
+            std::unique_ptr<RTT::base::OutputPortInterface> port(type.outputPort("t" + std::to_string(ports.size())));
+            if (!port) continue;  // no type of samples
+            ports.push_back(std::move(port));
+            types.addPort(*ports.back());
+            EXPECT_TRUE(recorder.reportPort("Types", ports.back()->getName())) << name;
+        }
+        EXPECT_TRUE(recorder.start());
+        std::ofstream expected(directory / "expected.txt");
+        std::size_t messages = 0;
+        for (unsigned seed = 0; seed != 2; ++seed)
+            for (const auto& port : ports) {
+                const TypeInfo& type = *port->getTypeInfo();
+                const auto value = type.buildValue();
+                fillShape(type, value->getRawPointer(), seed * 100 + 1);
+                std::string why;
+                expected << "{\"topic\": \"/Types/" << port->getName()
+                         << "\", \"value\": " << RTT::encoding::Json::make(type, why)->text(value->getRawConstPointer())
+                         << "}\n";
+                EXPECT_EQ(RTT::WriteSuccess, port->write(value));
+                ++messages;
+            }
+        recorder.update();
+        recorder.stop();
+        return messages;
+    }
+    Outcome judge(std::vector<std::string> words) const {
+        Command command;
+        command.program = "node";
+        words.insert(words.begin(), JUDGE);
+        command.arguments = words;
+        command.directory = JUDGES_DIR;
+        return run(command);
+    }
+
+    TempDir directory;
+};
+
+TEST_F(RecordedValues, AreWhatOthersRead) {
+    for (const char* const schema : {"auto", "omgidl"})
+        for (const char* const compression : {"none", "lz4", "zstd"}) {
+            SCOPED_TRACE(std::string(schema) + " " + compression);
+            const std::size_t messages = record(compression, schema);
+            EXPECT_GT(messages, 100U);
+            const Outcome outcome =
+                judge({"values", (directory / "run.mcap").string(), (directory / "expected.txt").string()});
+            EXPECT_EQ(0, outcome.status) << outcome.out << outcome.err;
+            EXPECT_THAT(outcome.out, HasSubstr("\"messages\": " + std::to_string(messages) + ","));
+        }
+}
+
+TEST_F(RecordedValues, OfACutOrDamagedFileAreReadUpToThere) {
+    const std::size_t messages = record("none", "auto");
+    const std::string bytes = readFile(directory / "run.mcap");
+    for (const double part : {0.3, 0.6, 0.9}) {
+        directory.write("cut.mcap",
+                        bytes.substr(0, static_cast<std::size_t>(part * static_cast<double>(bytes.size()))));
+        const Outcome outcome = judge({"stream", (directory / "cut.mcap").string()});
+        EXPECT_EQ(0, outcome.status) << outcome.out << outcome.err;
+        EXPECT_THAT(outcome.out, HasSubstr("\"done\":false"));
+    }
+    const Outcome all = judge({"count", (directory / "run.mcap").string()});
+    EXPECT_EQ(0, all.status) << all.out << all.err;
+    EXPECT_THAT(all.out, HasSubstr("\"statistics\":\"" + std::to_string(messages) + "\""));
+    EXPECT_THAT(all.out, HasSubstr("\"gaps\":0,\"ordered\":true"));
+}
+
+}  // namespace
