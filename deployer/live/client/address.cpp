@@ -13,8 +13,9 @@ namespace {
 constexpr const char* kPort = "8765";  // of --web
 
 [[noreturn]] void refuse(const std::string& url, const std::string& why) {
-    throw Failure(Status::Usage, "'" + url + "' " + why + "; write an address as 'deployer --web' prints it, such as "
-                                 "ws://127.0.0.1:8765/?token=…");
+    throw Failure(Status::Usage, "'" + url + "' " + why +
+                                     "; write an address as 'deployer --web' prints it, such as "
+                                     "ws://127.0.0.1:8765/?token=…");
 }
 
 bool takePrefix(std::string& text, const std::string& prefix) {

@@ -76,7 +76,8 @@ std::vector<std::string> Canvas::rows() const {
     return rows;
 }
 
-std::vector<std::string> curve(const std::vector<Point>& points, double seconds, std::size_t columns, std::size_t rows) {
+std::vector<std::string> curve(const std::vector<Point>& points, double seconds, std::size_t columns,
+                               std::size_t rows) {
     columns = std::max(columns, kLabel + 12);
     rows = std::max<std::size_t>(rows, 4);
     Range range;

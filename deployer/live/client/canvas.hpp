@@ -34,8 +34,8 @@ struct Point {
     double time = 0, value = 0;
 };
 
-/** A curve of `seconds` up to the last point, with its range at the left and its times below, in so many letters and lines. Values
-    that are no finite numbers leave a gap. */
+/** A curve of `seconds` up to the last point, with its range at the left and its times below, in so many letters and
+    lines. Values that are no finite numbers leave a gap. */
 std::vector<std::string> curve(const std::vector<Point>& points, double seconds, std::size_t columns, std::size_t rows);
 
 }  // namespace oroforge::live_client

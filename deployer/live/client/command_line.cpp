@@ -24,9 +24,7 @@ bool isValue(const std::string& word) {
     return number || word[0] == '[';
 }
 
-std::string unmarked(const std::string& word) {
-    return !word.empty() && word[0] == kMark ? word.substr(1) : word;
-}
+std::string unmarked(const std::string& word) { return !word.empty() && word[0] == kMark ? word.substr(1) : word; }
 
 /** A command of CLI11 and where its results go. */
 struct Parsed {
@@ -97,9 +95,11 @@ std::vector<std::string> commandNames() {
     if (!remaining.empty()) {
         const std::string word = unmarked(remaining.front());
         if (word[0] == '-')
-            throw Failure(Status::Usage, "unknown option '" + word + "'" + diag::didYouMean(word, optionNames(at)) + hint);
+            throw Failure(Status::Usage,
+                          "unknown option '" + word + "'" + diag::didYouMean(word, optionNames(at)) + hint);
         if (chosen.empty())
-            throw Failure(Status::Usage, "unknown command '" + word + "'" + diag::didYouMean(word, commandNames()) + hint);
+            throw Failure(Status::Usage,
+                          "unknown command '" + word + "'" + diag::didYouMean(word, commandNames()) + hint);
         throw Failure(Status::Usage, "'oro " + at.get_name() + "' has no use for '" + word + "'" + hint);
     }
     std::string text = error.what();
@@ -111,8 +111,9 @@ std::vector<std::string> commandNames() {
 
 CommandLine readCommandLine(const std::vector<std::string>& words) {
     CLI::App app("Looks at and commands running deployments.", "oro");
-    app.footer("'oro COMMAND --help' explains a command. Exit status: 0 done, 1 the deployment refused or an error,\n"
-               "2 wrong command line, 3 no deployment.");
+    app.footer(
+        "'oro COMMAND --help' explains a command. Exit status: 0 done, 1 the deployment refused or an error,\n"
+        "2 wrong command line, 3 no deployment.");
     app.set_version_flag("--version", "oro (Oroforge) " OROFORGE_VERSION);
     app.require_subcommand(0, 1);
     app.fallthrough();
@@ -138,13 +139,12 @@ CommandLine readCommandLine(const std::vector<std::string>& words) {
         if (!parsed.app->parsed()) continue;
         line.given.command = parsed.command;
         for (const auto& [option, words] : parsed.arguments)
-            for (const std::string& word : option->count() ? words : std::vector<std::string>()) line.given.words.push_back(unmarked(word));
+            for (const std::string& word : option->count() ? words : std::vector<std::string>())
+                line.given.words.push_back(unmarked(word));
     }
     for (const Value& value : values)
-        if (value.option->count() > 0)
-            line.given.options[value.key] = value.flag ? "true" : unmarked(value.text);
-    if (!line.given.command)
-        throw Failure(Status::Usage, "no command was given; 'oro --help' lists the commands");
+        if (value.option->count() > 0) line.given.options[value.key] = value.flag ? "true" : unmarked(value.text);
+    if (!line.given.command) throw Failure(Status::Usage, "no command was given; 'oro --help' lists the commands");
     return line;
 }
 

@@ -123,7 +123,8 @@ std::vector<Candidate> namesOf(Names kind, const std::string& word, const Given&
         case Names::Format: return wordsOf({"text", "json"});
         case Names::Deployment: {
             std::vector<Candidate> all;
-            for (const Deployment& one : runningDeployments()) all.push_back({one.name, "pid " + std::to_string(one.pid)});
+            for (const Deployment& one : runningDeployments())
+                all.push_back({one.name, "pid " + std::to_string(one.pid)});
             return all;
         }
         case Names::None:
@@ -172,7 +173,8 @@ std::vector<Candidate> candidatesFor(const std::vector<std::string>& words) {
     } catch (const std::exception&) {
         return {};  // a shell has no place for errors while a line is typed
     }
-    all.erase(std::remove_if(all.begin(), all.end(), [&](const Candidate& one) { return !beginsWith(one.word, words.back()); }),
+    all.erase(std::remove_if(all.begin(), all.end(),
+                             [&](const Candidate& one) { return !beginsWith(one.word, words.back()); }),
               all.end());
     return all;
 }
@@ -221,7 +223,8 @@ complete -c oro -f -a '(__oro_words)'
 void writeCompletion(Session& session) {
     const std::string script = scriptOf(session.word(0));
     if (script.empty())
-        throw Failure(Status::Usage, "there is no completion for '" + session.word(0) + "'; expected bash, zsh or fish");
+        throw Failure(Status::Usage,
+                      "there is no completion for '" + session.word(0) + "'; expected bash, zsh or fish");
     session.out().write(script);
 }
 

@@ -194,8 +194,7 @@ private:
             throw Failure(Status::Refused, where_ + " refuses the connection (HTTP " + std::to_string(refused_) +
                                                "); give the token that 'deployer --web' printed: ws://…/?token=…");
         if (refused_ >= 400)
-            throw Failure(Status::Refused,
-                          where_ + " refuses the connection (HTTP " + std::to_string(refused_) + ")");
+            throw Failure(Status::Refused, where_ + " refuses the connection (HTTP " + std::to_string(refused_) + ")");
         const bool gone = error == asio::error::connection_refused || error == asio::error::not_found ||
                           error == Error(ENOENT, boost::system::system_category());
         if (gone)
@@ -237,8 +236,7 @@ std::unique_ptr<Connection> Connection::toAddress(const Address& address, Deadli
     asio::ip::tcp::resolver resolver(stream->context());
     Error error;
     const auto ends = resolver.resolve(address.host, address.port, error);
-    if (error)
-        throw Failure(Status::NoDeployment, "there is no computer '" + address.host + "': " + error.message());
+    if (error) throw Failure(Status::NoDeployment, "there is no computer '" + address.host + "': " + error.message());
     stream->step("connecting", deadline,
                  [&](auto done) { asio::async_connect(stream->socket(), ends.begin(), ends.end(), done); });
     stream->socket().set_option(asio::ip::tcp::no_delay(true), error);

@@ -57,8 +57,7 @@ public:
     Words complete(const std::string& line) {
         const Json found = deployment_.ask("complete", {{"line", line}});
         Words words;
-        words.begin = static_cast<std::size_t>(std::max(0LL, wholeOf(found, "begin")));
-        words.behind = printable(textOf(found, "behind"));
+        words.more = printable(textOf(found, "more"));
         for (const Json& word : memberOf(found, "words"))
             if (word.is_string()) words.words.push_back(printable(word.get<std::string>()));
         return words;

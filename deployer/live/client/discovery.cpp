@@ -53,8 +53,8 @@ bool refusesConnections(const std::string& path) {
     std::memcpy(address.sun_path, path.c_str(), path.size() + 1);
     const int probe = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
     if (probe < 0) return false;
-    const bool refused = connect(probe, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 &&
-                         errno == ECONNREFUSED;
+    const bool refused =
+        connect(probe, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 && errno == ECONNREFUSED;
     close(probe);
     return refused;
 }
@@ -139,8 +139,8 @@ Deployment chosenDeployment(const std::string& wanted) {
     if (matching.empty()) {
         std::vector<std::string> names;
         for (const Deployment& one : all) names.push_back(one.name);
-        throw Failure(Status::NoDeployment, "there is no deployment '" + wanted + "'" + diag::didYouMean(wanted, names) +
-                                                "; running: " + listed(all));
+        throw Failure(Status::NoDeployment, "there is no deployment '" + wanted + "'" +
+                                                diag::didYouMean(wanted, names) + "; running: " + listed(all));
     }
     throw Failure(Status::NoDeployment, (wanted.empty() ? "there is more than one deployment: "
                                                         : "there is more than one deployment '" + wanted + "': ") +

@@ -41,18 +41,19 @@ std::string headerOf(const Json& value) {
 
 class Lines {
 public:
-    explicit Lines(Session& session)
-        : out_(session.out()), csv_(session.given().has("csv")), json_(session.json()) {
-        if (csv_ && json_) throw Failure(Status::Usage, "--csv and --json exclude each other: both say how samples are written");
+    explicit Lines(Session& session) : out_(session.out()), csv_(session.given().has("csv")), json_(session.json()) {
+        if (csv_ && json_)
+            throw Failure(Status::Usage, "--csv and --json exclude each other: both say how samples are written");
     }
     void add(const Json& message, const Json& value) {
         if (json_) {
             out_.line(lineOf({{"time", memberOf(message, "time")}, {"value", value}, {"dropped", dropped(message)}}));
             return;
         }
-        if (const long long lost = dropped(message); lost > 0)
+        if (const long long lost = dropped(message) - dropped_; lost > 0)
             remark(std::to_string(lost) + (lost == 1 ? " sample was" : " samples were") +
                    " dropped here; they come faster than they are taken");
+        dropped_ = dropped(message);
         if (!csv_) return out_.line(valueText(value));
         const std::string header = headerOf(value);
         // A sequence that has another length has other columns.
@@ -66,6 +67,7 @@ private:
     Output& out_;
     const bool csv_, json_;
     std::string header_;
+    long long dropped_ = 0;  // until the last sample
 };
 
 }  // namespace

@@ -22,8 +22,8 @@ std::vector<std::string> fieldNames(const Json& value) {
 
 [[noreturn]] void reportField(const PortPath& path, const Json& value) {
     const auto names = fieldNames(value);
-    std::string text = "samples of port '" + path.port + "' have no field '" + path.field + "'" +
-                       diag::didYouMean(path.field, names);
+    std::string text =
+        "samples of port '" + path.port + "' have no field '" + path.field + "'" + diag::didYouMean(path.field, names);
     constexpr std::size_t kMostNamed = 8;
     if (names.size() > 1) text += "; they have ";
     for (std::size_t i = 0; names.size() > 1 && i != std::min(names.size(), kMostNamed); ++i)
@@ -52,7 +52,8 @@ void follow(Session& session, const std::string& verb, const Json& fields, const
                 next = std::max(next + follower.interval, Clock::now());
                 if (!follower.tick()) return;
             }
-            if (event == Requests::Event::Time && !begun && Clock::now() >= answered) deployment.reportSilence(deployment.limit());
+            if (event == Requests::Event::Time && !begun && Clock::now() >= answered)
+                deployment.reportSilence(deployment.limit());
             if (event != Requests::Event::Message) continue;
             if (Requests::answers(message, id)) {
                 Requests::resultOf(message);
@@ -77,8 +78,8 @@ PortPath findPort(Session& session, const std::string& path) {
                 return {port, path.substr(port.size() + (more ? 1 : 0))};
             }
             if (textOf(found, "kind") != "port")
-                throw Failure(Status::Refused, "'" + port + "' is no port; 'oro show " + port.substr(0, port.find('.')) +
-                                                   "' lists the ports");
+                throw Failure(Status::Refused, "'" + port + "' is no port; 'oro show " +
+                                                   port.substr(0, port.find('.')) + "' lists the ports");
         } catch (const Refusal&) {
             if (!first) first = std::current_exception();
         }
@@ -87,7 +88,8 @@ PortPath findPort(Session& session, const std::string& path) {
         if (dot == std::string::npos || port.find('.') == dot) break;
     }
     if (first) std::rethrow_exception(first);
-    throw Failure(Status::Refused, "'" + path + "' is no port; write COMPONENT.PORT, as 'oro tree' and 'oro show' list them");
+    throw Failure(Status::Refused,
+                  "'" + path + "' is no port; write COMPONENT.PORT, as 'oro tree' and 'oro show' list them");
 }
 
 void followPort(Session& session, const Json& given, const std::function<bool(const Json&, const Json&)>& each,

@@ -13,8 +13,8 @@ namespace oroforge::live_client {
 
 /** What a command does meanwhile. Both return false to end. */
 struct Follower {
-    std::function<bool(const Json& message)> each;      ///< for each message of the request
-    std::function<bool()> tick = {};                    ///< each `interval`; none if empty
+    std::function<bool(const Json& message)> each;  ///< for each message of the request
+    std::function<bool()> tick = {};                ///< each `interval`; none if empty
     std::chrono::milliseconds interval{1000};
 };
 

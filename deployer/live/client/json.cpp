@@ -60,9 +60,4 @@ Json parsed(const std::string& text) {
     return isTooDeep(text) ? Json(Json::value_t::discarded) : Json::parse(text, nullptr, false);
 }
 
-Json valueOrText(const std::string& text) {
-    Json value = parsed(text);
-    return value.is_discarded() ? Json(text) : value;
-}
-
 }  // namespace oroforge::live_client

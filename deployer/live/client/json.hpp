@@ -27,8 +27,6 @@ bool truthOf(const Json& object, const std::string& name);
 std::string lineOf(const Json& value);
 /** The text as JSON; discarded if it is none, or nests deeper than a value of a component does. */
 Json parsed(const std::string& text);
-/** The text as JSON if it is a JSON value, else as a JSON text. */
-Json valueOrText(const std::string& text);
 
 }  // namespace oroforge::live_client
 

@@ -9,9 +9,13 @@
 namespace oroforge::live_client {
 namespace {
 
+constexpr std::chrono::milliseconds kOfHooks{15000};
+
 void change(Session& session, const char* what) {
     const std::string& component = session.word(0);
-    const Json result = session.deployment().ask("lifecycle", {{"component", component}, {"do", what}});
+    // Hooks may open devices.
+    const auto limit = session.given().has("timeout") ? session.deployment().limit() : kOfHooks;
+    const Json result = session.deployment().ask("lifecycle", {{"component", component}, {"do", what}}, limit);
     const std::string state = printable(textOf(result, "state"));
     const bool done = truthOf(result, "done");
     if (session.json()) session.out().line(lineOf(result));
@@ -32,7 +36,8 @@ void awaitEnd(Requests& deployment) {
             return;
         }
     }
-    throw Failure(Status::Refused, "deployment '" + deployment.name() + "' takes longer than --timeout to end; it goes on");
+    throw Failure(Status::Refused,
+                  "deployment '" + deployment.name() + "' takes longer than --timeout to end; it goes on");
 }
 
 }  // namespace
@@ -47,7 +52,8 @@ void stopSomething(Session& session) {
     Requests& deployment = session.deployment();
     const Json result = deployment.ask("stop");
     awaitEnd(deployment);
-    if (!session.answeredAsJson(result)) session.out().line("deployment '" + printable(deployment.name()) + "' has ended");
+    if (!session.answeredAsJson(result))
+        session.out().line("deployment '" + printable(deployment.name()) + "' has ended");
 }
 
 }  // namespace oroforge::live_client

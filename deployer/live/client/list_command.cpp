@@ -65,8 +65,7 @@ Json asJson(const Row& row) {
         if (!memberOf(row.hello, field).is_null()) one[field] = memberOf(row.hello, field);
     one["components"] = Json::array();
     for (const Json& component : componentsOf(row))
-        one["components"].push_back(
-            {{"name", textOf(component, "name")}, {"state", textOf(component, "state")}});
+        one["components"].push_back({{"name", textOf(component, "name")}, {"state", textOf(component, "state")}});
     return one;
 }
 
@@ -90,16 +89,14 @@ void listDeployments(Session& session) {
         for (const Row& row : rows) all.push_back(asJson(row));
         return session.out().line(lineOf(all));
     }
-    if (rows.empty())
-        return remark("no deployment of this user is running");
+    if (rows.empty()) return remark("no deployment of this user is running");
     Table table({Style::Name, Style::Plain, Style::Faint, Style::Plain, Style::Plain});
     table.add({"NAME", "PID", "SINCE", "COMPONENTS", "STATES"});
     for (const Row& row : rows) {
         const bool answers = row.problem.empty();
         const Json components = answers ? componentsOf(row) : Json::array();
         table.add({printable(row.deployment.name), std::to_string(row.deployment.pid), startOf(row.hello),
-                   answers ? std::to_string(components.size()) : "",
-                   answers ? stateSummary(components) : row.problem});
+                   answers ? std::to_string(components.size()) : "", answers ? stateSummary(components) : row.problem});
     }
     session.out().table(table);
 }

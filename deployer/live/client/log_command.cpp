@@ -3,8 +3,6 @@
 // oro log
 #include "follow.hpp"
 
-#include "failure.hpp"
-
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
@@ -36,26 +34,23 @@ void writeLine(Session& session, const Json& message) {
     const std::string level = printable(textOf(message, "level"));
     const std::string padded = level.size() < 8 ? level + std::string(8 - level.size(), ' ') : level;
     const std::string origin = printable(textOf(message, "origin"));
-    out.line(out.paint(Style::Faint, timeOf(wholeOf(message, "time"))) + "  " + out.paint(styleOf(level), padded) + "  " +
-             (origin.empty() ? "" : out.paint(Style::Name, origin) + "  ") + printable(textOf(message, "text")));
+    out.line(out.paint(Style::Faint, timeOf(wholeOf(message, "time"))) + "  " + out.paint(styleOf(level), padded) +
+             "  " + (origin.empty() ? "" : out.paint(Style::Name, origin) + "  ") + printable(textOf(message, "text")));
 }
 
 }  // namespace
 
 void showLog(Session& session) {
-    const bool follows = session.given().has("follow");
-    Json fields = {{"follow", follows}};
+    double left = session.given().number("count", 0, 1, 1e15);
+    const bool counts = left > 0;
+    Json fields = {{"follow", true}};
     const std::string level = session.given().text("level");
     if (!level.empty()) fields["level"] = level;
     const auto each = [&](const Json& message) {
         writeLine(session, message);
-        return true;
+        return !counts || --left > 0;
     };
-    if (follows) return follow(session, "log", fields, "oro.line", {each});
-    // The lines that are kept come before the answer.
-    session.deployment().ask("log", fields);
-    for (Json message; session.deployment().next(message, Clock::now()) == Requests::Event::Message;)
-        if (textOf(message, "op") == "oro.line") each(message);
+    follow(session, "log", fields, "oro.line", {each});
 }
 
 }  // namespace oroforge::live_client

@@ -48,7 +48,8 @@ std::string optionText(const Option& option) {
         names += (names.empty() ? "" : ", ") + ("\\fB" + roff(all.substr(at, end - at)) + "\\fR");
         at = end + 1;
     }
-    return ".TP\n" + names + (option.value ? " \\fI" + roff(option.value) + "\\fR" : "") + "\n" + roff(option.text) + "\n";
+    return ".TP\n" + names + (option.value ? " \\fI" + roff(option.value) + "\\fR" : "") + "\n" + roff(option.text) +
+           "\n";
 }
 
 std::string optionsText(const std::vector<Option>& options) {
@@ -71,12 +72,14 @@ std::string environmentText() {
            ".TP\nORO_TOKEN\nThe token for \\fB\\-\\-url\\fR.\n"
            ".TP\nORO_HISTFILE\nWhere \\fBoro console\\fR keeps what was typed; ~/.oro_history if it is not set.\n"
            ".TP\nNO_COLOR\nNo colours, even on a terminal.\n"
-           ".TP\nXDG_RUNTIME_DIR\nIts folder oroforge has the sockets of the deployments; without it /tmp/oroforge\\-UID.\n";
+           ".TP\nXDG_RUNTIME_DIR\nIts folder oroforge has the sockets of the deployments; without it "
+           "/tmp/oroforge\\-UID.\n";
 }
 
 std::string pageOf(const Command& command) {
     const std::string name = command.name;
-    std::string text = title("oro-" + name) + section("NAME") + roff("oro-" + name + " - ") + roff(command.summary) + "\n";
+    std::string text =
+        title("oro-" + name) + section("NAME") + roff("oro-" + name + " - ") + roff(command.summary) + "\n";
     text += section("SYNOPSIS") + ".B oro " + name + "\n.RI [ options ]\n.I " + roff(usageOf(command)) + "\n";
     text += section("DESCRIPTION") + roff(command.text) + "\n";
     for (const Argument& argument : command.arguments)
@@ -92,7 +95,8 @@ std::string mainPage() {
     std::string text = title("oro") + section("NAME") + "oro \\- looks at and commands running deployments\n";
     text += section("SYNOPSIS") + ".B oro\n.RI [ options ]\n.I COMMAND\n.RI [ arguments ]\n";
     text += section("DESCRIPTION") +
-            "A deployment that \\fBdeployer\\fR runs can be looked at and commanded from another terminal. The deployer needs no "
+            "A deployment that \\fBdeployer\\fR runs can be looked at and commanded from another terminal. The "
+            "deployer needs no "
             "option for that, and it costs it nothing while nobody looks.\n";
     text += section("COMMANDS");
     for (const Command& command : commands())
@@ -115,8 +119,7 @@ void writeManual(Session& session) {
     if (!folder.empty()) {
         if (!name.empty()) throw Failure(Status::Usage, "--directory writes all pages, so it takes no command");
         writeFile(folder + "/oro.1", mainPage());
-        for (const Command& command : commands())
-            writeFile(folder + "/oro-" + command.name + ".1", pageOf(command));
+        for (const Command& command : commands()) writeFile(folder + "/oro-" + command.name + ".1", pageOf(command));
         return;
     }
     const Command* const command = commandNamed(name);

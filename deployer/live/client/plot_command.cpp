@@ -36,14 +36,16 @@ public:
         if (points_.size() < kMostPoints && points_.front().time >= points_.back().time - 2 * seconds_) return;
         // What has left the picture, and, of very many points, the older half.
         const double begin = points_.back().time - seconds_;
-        const auto first = std::find_if(points_.begin(), points_.end(), [&](const Point& one) { return one.time >= begin; });
-        points_.erase(points_.begin(), std::max(first, points_.size() < kMostPoints
-                                                           ? points_.begin()
-                                                           : points_.begin() + kMostPoints / 2));
+        const auto first =
+            std::find_if(points_.begin(), points_.end(), [&](const Point& one) { return one.time >= begin; });
+        points_.erase(
+            points_.begin(),
+            std::max(first, points_.size() < kMostPoints ? points_.begin() : points_.begin() + kMostPoints / 2));
     }
     void draw() {
-        std::vector<std::string> lines{printable(session_.word(0)) +
-                                       (points_.empty() ? "  no sample yet" : "  = " + valueText(points_.back().value))};
+        std::vector<std::string> lines{printable(session_.word(0)) + (points_.empty()
+                                                                          ? "  no sample yet"
+                                                                          : "  = " + valueText(points_.back().value))};
         for (std::string& line : curve(points_, seconds_, session_.out().width() - 1, rows_)) lines.push_back(line);
         picture_.draw(lines);
     }
@@ -68,7 +70,8 @@ private:
 void plotPort(Session& session) {
     Plot plot(session);
     const bool live = session.out().isTerminal() && !session.json() && !session.given().has("once");
-    const Deadline end = live ? kNever : deadlineIn(std::chrono::milliseconds(static_cast<long long>(plot.seconds() * 1000)));
+    const Deadline end =
+        live ? kNever : deadlineIn(std::chrono::milliseconds(static_cast<long long>(plot.seconds() * 1000)));
     double left = session.given().number("count", 0, 1, 1e9);
     const bool counts = left > 0;
     followPort(

@@ -21,7 +21,8 @@ int report(const std::string& text, Status status) {
 
 void completeWords(const std::vector<std::string>& words, Output& out) {
     std::string text;
-    for (const Candidate& one : candidatesFor(words)) text += one.word + (one.text.empty() ? "" : "\t" + one.text) + "\n";
+    for (const Candidate& one : candidatesFor(words))
+        text += one.word + (one.text.empty() ? "" : "\t" + one.text) + "\n";
     out.write(text);
 }
 

@@ -8,7 +8,6 @@
 
 #include <histedit.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <clocale>
 #include <cstdio>
@@ -31,14 +30,6 @@ std::string historyFile() {
     const std::string given = OCL::console::fileNamedBy("ORO_HISTFILE");
     const char* const home = std::getenv("HOME");
     return !given.empty() || !home ? given : std::string(home) + "/.oro_history";
-}
-
-std::string commonBeginning(const std::vector<std::string>& words) {
-    std::string common = words.empty() ? "" : words.front();
-    for (const std::string& word : words)
-        common.erase(static_cast<std::size_t>(
-            std::mismatch(common.begin(), common.end(), word.begin(), word.end()).first - common.begin()));
-    return common;
 }
 
 }  // namespace
@@ -90,12 +81,9 @@ Prompt::Impl::Impl(Wait waiting, Complete completion)
     el_set(edit, EL_EDITOR, "emacs");
     el_set(edit, EL_ADDFN, "oro-complete", "completes the word", &Impl::onTab);
     el_set(edit, EL_ADDFN, "oro-drop", "forgets the line", &Impl::onDrop);
-    const char* const keys[][2] = {{"^I", "oro-complete"},
-                                   {"^C", "oro-drop"},
-                                   {"^R", "em-inc-search-prev"},
-                                   {"\\e[1~", "ed-move-to-beg"},
-                                   {"\\e[4~", "ed-move-to-end"},
-                                   {"\\e[3~", "ed-delete-next-char"}};
+    const char* const keys[][2] = {{"^I", "oro-complete"},       {"^C", "oro-drop"},
+                                   {"^R", "em-inc-search-prev"}, {"\\e[1~", "ed-move-to-beg"},
+                                   {"\\e[4~", "ed-move-to-end"}, {"\\e[3~", "ed-delete-next-char"}};
     for (const auto& key : keys) el_set(edit, EL_BIND, key[0], key[1], nullptr);
 }
 
@@ -145,12 +133,8 @@ unsigned char Prompt::Impl::completeLine() {
     } catch (...) {
         return CC_ERROR;  // without completions; what ended shows at the next key
     }
-    const std::string common = commonBeginning(found.words);
-    const std::size_t typed = line.size() - std::min(found.begin, line.size());
-    std::string more = common.substr(std::min(typed, common.size()));
-    if (found.words.size() == 1) more += found.behind;
-    if (!more.empty()) {
-        el_insertstr(edit, more.c_str());
+    if (!found.more.empty()) {
+        el_insertstr(edit, found.more.c_str());
         return CC_REFRESH;
     }
     if (found.words.size() <= 1) return CC_ERROR;

@@ -4,7 +4,6 @@
 #ifndef OROFORGE_LIVE_CLIENT_PROMPT_HPP
 #define OROFORGE_LIVE_CLIENT_PROMPT_HPP
 
-#include <cstddef>
 #include <functional>
 #include <memory>
 #include <string>
@@ -12,11 +11,10 @@
 
 namespace oroforge::live_client {
 
-/** What can be put in place of the end of a line. */
+/** How a line can go on. */
 struct Words {
-    std::size_t begin = 0;  ///< where in the line they go
-    std::vector<std::string> words;
-    std::string behind;  ///< what follows if there is only one
+    std::vector<std::string> words;  ///< in place of its end
+    std::string more;                ///< what can be added without a choice
 };
 
 /** Reads lines on standard input and output, with history and completion. Ctrl-C is a key that drops the line. Only one

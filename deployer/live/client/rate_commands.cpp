@@ -16,6 +16,8 @@ namespace oroforge::live_client {
 namespace {
 
 constexpr double kNanosecond = 1e-9;
+// The deployment looks at ports every 10 ms, so the spread of shorter intervals is that of its looks.
+constexpr double kShortest = 0.05;
 constexpr long long kSamplesQueued = 4096;  // in the deployment between two of its looks at the port
 
 std::string number(double value, int digits = 4) {
@@ -86,22 +88,22 @@ public:
 
     void add(const Json& message) {
         const double time = static_cast<double>(wholeOf(message, "time") - first(message)) * kNanosecond;
-        dropped_ += wholeOf(message, "dropped");
+        dropped_ = wholeOf(message, "dropped");  // in all
         if (samples_++) intervals_.add(time - last_);
         last_ = time;
     }
     void write(const char* title) const {
         const double rate = last_ > 0 ? static_cast<double>(samples_ - 1 + dropped_) / last_ : 0;
         if (session_.json()) {
-            return session_.out().line(lineOf({{"rate", rate},
-                                               {"samples", samples_},
-                                               {"dropped", dropped_},
-                                               {"interval", asJson(intervals_)}}));
+            return session_.out().line(lineOf(
+                {{"rate", rate}, {"samples", samples_}, {"dropped", dropped_}, {"interval", asJson(intervals_)}}));
         }
-        if (samples_ < 2) return session_.out().line(samples_ ? "one sample, so there is no rate yet" : "no sample yet");
-        session_.out().line(title + number(rate, 6) + " Hz  interval " + spread(intervals_) + "  " +
-                            std::to_string(samples_) + " samples" +
-                            (dropped_ ? ", " + std::to_string(dropped_) + " dropped" : ""));
+        if (samples_ < 2)
+            return session_.out().line(samples_ ? "one sample, so there is no rate yet" : "no sample yet");
+        const bool shown = intervals_.mean() > kShortest;
+        session_.out().line(title + number(rate, 6) + " Hz  interval " +
+                            (shown ? spread(intervals_) : duration(1 / rate)) + "  " + std::to_string(samples_) +
+                            " samples" + (dropped_ ? ", " + std::to_string(dropped_) + " dropped" : ""));
     }
 
 private:
@@ -113,7 +115,7 @@ private:
     Session& session_;
     Statistics intervals_;
     long long first_ = 0, samples_ = 0, dropped_ = 0;
-    double last_ = 0;
+    double last_ = 0;  // seconds since the first one
 };
 
 /** Ends after --count reports; 0: never. */

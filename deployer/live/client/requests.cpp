@@ -96,13 +96,15 @@ Requests::Event Requests::receive(Json& message, Deadline deadline) {
             case Connection::Event::Broken: throw NobodyReads();
             case Connection::Event::Closed: {
                 const std::string why = connection_->reason();
-                throw Failure(Status::Refused, where() + (why.empty() ? " has ended" : " ended the connection: " + why));
+                throw Failure(Status::Refused,
+                              where() + (why.empty() ? " has ended" : " ended the connection: " + why));
             }
             case Connection::Event::Message: break;
         }
         message = parsed(text);
         if (!message.is_object())
-            throw Failure(Status::Refused, where() + " sends a message that is no JSON object; is its version another?");
+            throw Failure(Status::Refused,
+                          where() + " sends a message that is no JSON object; is its version another?");
         // Messages of other protocols on the same connection mean nothing here.
         if (textOf(message, "op").compare(0, std::string(kPrefix).size(), kPrefix) == 0) return Event::Message;
     }

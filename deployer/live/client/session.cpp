@@ -77,7 +77,9 @@ Requests& Session::deployment() {
         return *requests_;
     }
     const char* const wanted = std::getenv("ORO_DEPLOYMENT");
-    requests_ = connectTo(chosenDeployment(given_.has("deployment") ? given_.text("deployment") : wanted ? wanted : ""),
+    requests_ = connectTo(chosenDeployment(given_.has("deployment") ? given_.text("deployment")
+                                           : wanted                 ? wanted
+                                                                    : ""),
                           timeLimitOf(given_));
     return *requests_;
 }

@@ -43,13 +43,15 @@ std::string signatureOf(const Json& operation) {
     std::string arguments;
     for (const Json& argument : memberOf(operation, "arguments")) {
         const std::string name = cell(argument, "name");
-        arguments += (arguments.empty() ? "" : ", ") + cell(argument, "type") + (truthOf(argument, "output") ? "&" : "") + (name.empty() ? "" : " " + name);
+        arguments += (arguments.empty() ? "" : ", ") + cell(argument, "type") +
+                     (truthOf(argument, "output") ? "&" : "") + (name.empty() ? "" : " " + name);
     }
     return cell(operation, "result") + " " + cell(operation, "name") + "(" + arguments + ")";
 }
 
 void writeOperation(Output& out, const Json& operation, const std::string& indent) {
-    const std::string thread = textOf(operation, "thread") == "client" ? "  " + out.paint(Style::Faint, "ClientThread") : "";
+    const std::string thread =
+        textOf(operation, "thread") == "client" ? "  " + out.paint(Style::Faint, "ClientThread") : "";
     out.line(indent + out.paint(Style::Name, signatureOf(operation)) + thread);
     writeDoc(out, textOf(operation, "doc"), indent + "  ");
     Table table({Style::Plain, Style::Faint}, Table::Wrap);
@@ -64,7 +66,8 @@ std::string connectionOf(const Json& port) {
     if (others.size() > kMostNamed) return std::to_string(others.size()) + " connections";
     std::string names;
     for (const Json& other : others)
-        names += (names.empty() ? "" : ", ") + (other.is_string() ? printable(other.get<std::string>()) : cell(other, "port"));
+        names += (names.empty() ? "" : ", ") +
+                 (other.is_string() ? printable(other.get<std::string>()) : cell(other, "port"));
     if (!names.empty()) return (textOf(port, "direction") == "in" ? "<- " : "-> ") + names;
     const Json& connected = memberOf(port, "connected");
     return connected.is_boolean() ? connected.get<bool>() ? "connected" : "not connected" : "";
@@ -123,8 +126,10 @@ std::string capitalised(std::string text) {
 void writeAlone(Output& out, const Json& part, const std::string& kind) {
     const std::string unit = cell(part, "unit"), value = valueOf(part, static_cast<std::size_t>(-1));
     const std::string direction = cell(part, "direction");
-    out.line((direction.empty() ? capitalised(kind) : direction == "in" ? "Input port" : "Output port") + " " +
-             out.paint(Style::Name, cell(part, "path")) + "  " + out.paint(Style::Type, cell(part, "type")) +
+    out.line((direction.empty()   ? capitalised(kind)
+              : direction == "in" ? "Input port"
+                                  : "Output port") +
+             " " + out.paint(Style::Name, cell(part, "path")) + "  " + out.paint(Style::Type, cell(part, "type")) +
              (value.empty() ? "" : "  " + out.paint(Style::Value, value)) + (unit.empty() ? "" : " " + unit));
     writeDoc(out, textOf(part, "doc"), "  ");
     if (!connectionOf(part).empty()) out.line("    " + connectionOf(part));

@@ -29,10 +29,16 @@ std::string duration(const Json& seconds) {
     return text;
 }
 
-/** A duration, or the mean and the greatest one of several: {"mean", "max"}. */
-std::string times(const Json& value) {
-    if (!value.is_object()) return duration(value);
-    return duration(memberOf(value, "mean")) + " / " + duration(memberOf(value, "max"));
+/** The mean and the greatest one. */
+std::string durations(const Json& component) {
+    const std::string mean = duration(memberOf(component, "duration")), most = duration(memberOf(component, "longest"));
+    return most.empty() ? mean : mean + " / " + most;
+}
+
+/** "RT", "OTHER" */
+std::string schedulerOf(const Json& component) {
+    const std::string name = printable(textOf(component, "scheduler")), prefix = "ORO_SCHED_";
+    return name.compare(0, prefix.size(), prefix) == 0 ? name.substr(prefix.size()) : name;
 }
 
 std::string percent(const Json& share) {
@@ -48,11 +54,10 @@ Table tableOf(const Json& top) {
     Table table({Style::Name, Style::Plain, Style::Plain, Style::Plain, Style::Plain, Style::Plain, Style::Plain,
                  Style::Plain, Style::Plain});
     table.add({"COMPONENT", "STATE", "PERIOD", "DURATION", "LATENESS", "CPU", "SCHEDULER", "PRIORITY", "OVERRUNS"});
-    const Json& components = top.is_array() ? top : memberOf(top, "components");
-    for (const Json& one : components)
-        table.add({cell(one, "name"), cell(one, "state"), duration(memberOf(one, "period")),
-                   times(memberOf(one, "duration")), times(memberOf(one, "lateness")), percent(memberOf(one, "cpu")),
-                   cell(one, "scheduler"), cell(one, "priority"), cell(one, "overruns")});
+    for (const Json& one : memberOf(top, "components"))
+        table.add({cell(one, "name"), cell(one, "state"), duration(memberOf(one, "period")), durations(one),
+                   duration(memberOf(one, "lateness")), percent(memberOf(one, "cpu")), schedulerOf(one),
+                   cell(one, "priority"), cell(one, "overruns")});
     return table;
 }
 
@@ -69,29 +74,25 @@ std::vector<std::string> linesOf(Output& out, const Table& table) {
 
 void showTop(Session& session) {
     Requests& deployment = session.deployment();
-    const bool once = session.given().has("once") || session.json() || !session.out().isTerminal();
-    const auto interval =
-        std::chrono::milliseconds(std::llround(session.given().number("interval", 1, 0.1, 3600) * 1000));
-    if (once) {
-        const Json top = deployment.ask("top");
+    const double seconds = session.given().number("interval", 1, 0.1, 10);
+    const auto interval = std::chrono::milliseconds(std::llround(seconds * 1000));
+    // The deployment measures for so long.
+    const auto measure = [&] { return deployment.ask("top", {{"seconds", seconds}}, interval + deployment.limit()); };
+    if (session.given().has("once") || session.json() || !session.out().isTerminal()) {
+        const Json top = measure();
         if (!session.answeredAsJson(top)) session.out().table(tableOf(top));
         return;
     }
     Interrupts interrupts;
     deployment.connection().wakeOn({interrupts.descriptor()});
     Picture picture(session.out());
+    const std::string title = printable(deployment.name()) + "  " + session.out().paint(Style::Faint, "Ctrl-C ends");
+    picture.draw({title});
     try {
         for (;;) {
-            std::vector<std::string> lines = linesOf(session.out(), tableOf(deployment.ask("top")));
-            lines.insert(lines.begin(), printable(deployment.name()) + "  " +
-                                            session.out().paint(Style::Faint, "Ctrl-C ends"));
+            std::vector<std::string> lines = linesOf(session.out(), tableOf(measure()));
+            lines.insert(lines.begin(), title);
             picture.draw(lines);
-            const Deadline next = Clock::now() + interval;
-            for (Json message;;) {
-                const auto event = deployment.next(message, next);
-                if (event == Requests::Event::Woken) return;
-                if (event == Requests::Event::Time) break;
-            }
         }
     } catch (const Interrupted&) {
     }

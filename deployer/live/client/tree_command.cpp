@@ -14,9 +14,9 @@ std::string countOf(const Json& counts, const char* what, const char* one, const
 
 std::string countsOf(const Json& counts) {
     std::string text;
-    for (const std::string& part : {countOf(counts, "properties", "property", "properties"),
-                                    countOf(counts, "operations", "operation", "operations"),
-                                    countOf(counts, "ports", "port", "ports")})
+    for (const std::string& part :
+         {countOf(counts, "properties", "property", "properties"),
+          countOf(counts, "operations", "operation", "operations"), countOf(counts, "ports", "port", "ports")})
         if (!part.empty()) text += (text.empty() ? "" : ", ") + part;
     return text;
 }
@@ -45,7 +45,8 @@ void showTree(Session& session) {
         const std::string counts = countsOf(memberOf(component, "counts"));
         out.line(out.paint(Style::Name, printable(textOf(component, "name"))) + "  " +
                  out.paint(Style::Type, printable(textOf(component, "type"))) + "  " +
-                 out.paint(styleOfState(state), state) + (counts.empty() ? "" : "  " + out.paint(Style::Faint, counts)));
+                 out.paint(styleOfState(state), state) +
+                 (counts.empty() ? "" : "  " + out.paint(Style::Faint, counts)));
         writeServices(session, memberOf(component, "services"), "");
     }
 }

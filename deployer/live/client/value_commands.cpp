@@ -12,6 +12,12 @@ namespace {
 
 constexpr double kUsualWait = 1, kLongestWait = 3600;  // seconds that an operation may take
 
+/** Text, which the deployment reads as the type of the argument. Texts may be quoted, too. */
+Json argumentOf(const std::string& word) {
+    Json value = parsed(word);
+    return value.is_string() ? value : Json(word);
+}
+
 void writeValue(Session& session, const Json& result) {
     if (session.answeredAsJson(result)) return;
     session.out().line(session.out().paint(Style::Value, shownText(result)));
@@ -29,7 +35,7 @@ void setValue(Session& session) {
 void callOperation(Session& session) {
     const auto& words = session.given().words;
     Json arguments = Json::array();
-    for (std::size_t i = 1; i < words.size(); ++i) arguments.push_back(valueOrText(words[i]));
+    for (std::size_t i = 1; i < words.size(); ++i) arguments.push_back(argumentOf(words[i]));
     const double wait = session.given().number("wait", kUsualWait, 0.001, kLongestWait);
     const Json fields = {{"path", session.word(0)}, {"arguments", arguments}, {"timeout", wait}};
     // The deployment reports that the operation takes too long; that answer has a way, too.
@@ -44,7 +50,8 @@ void callOperation(Session& session) {
     for (const auto& argument : changed.items()) {
         const bool hasText = argument.value().is_object() && argument.value().contains("text");
         const std::string name = argument.value().is_object() ? textOf(argument.value(), "name") : "";
-        const std::string place = changed.is_object() ? argument.key() : "argument " + std::to_string(std::stoul(argument.key()) + 1);
+        const std::string place =
+            changed.is_object() ? argument.key() : "argument " + std::to_string(std::stoul(argument.key()) + 1);
         if (argument.value().is_null()) continue;
         out.line(printable(name.empty() ? place : name) + " = " +
                  (hasText ? shownText(argument.value()) : valueText(argument.value())));

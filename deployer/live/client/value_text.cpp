@@ -43,8 +43,7 @@ void collect(const Json& value, const std::string& path, std::vector<std::pair<s
         for (const auto& member : value.items())
             collect(member.value(), path + (path.empty() ? "" : ".") + member.key(), leaves);
     } else if (value.is_array()) {
-        for (std::size_t i = 0; i != value.size(); ++i)
-            collect(value[i], path + "[" + std::to_string(i) + "]", leaves);
+        for (std::size_t i = 0; i != value.size(); ++i) collect(value[i], path + "[" + std::to_string(i) + "]", leaves);
     } else {
         leaves.emplace_back(path, value);
     }

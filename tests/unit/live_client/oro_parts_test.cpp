@@ -43,8 +43,8 @@ TEST(OroAddress, HasItsParts) {
 }
 
 TEST(OroAddress, IsRefusedIfWrong) {
-    for (const char* const url : {"", "localhost:8765", "wss://a", "ws://", "ws://:1", "ws://a:", "ws://a:0", "ws://a:65536",
-                                  "ws://a:-1", "ws://a:1x", "ws://a b", "ws://a\r\nX: y"}) {
+    for (const char* const url : {"", "localhost:8765", "wss://a", "ws://", "ws://:1", "ws://a:", "ws://a:0",
+                                  "ws://a:65536", "ws://a:-1", "ws://a:1x", "ws://a b", "ws://a\r\nX: y"}) {
         try {
             parseAddress(url);
             ADD_FAILURE() << "'" << url << "' was taken";
@@ -60,8 +60,8 @@ TEST(OroDiscovery, ReadsNamesOfSockets) {
     EXPECT_EQ(12, one.pid);
     EXPECT_EQ("my-arm.v2", one.name);
     EXPECT_EQ("/run/12-my-arm.v2.sock", one.socket);
-    for (const char* const name : {"", ".", "..", "12", "12-.sock", "-a.sock", "x-a.sock", "1x-a.sock", "0-a.sock", "12-a", "12-a.socket",
-                                   "99999999999999999999-a.sock", "12 -a.sock", "+1-a.sock"})
+    for (const char* const name : {"", ".", "..", "12", "12-.sock", "-a.sock", "x-a.sock", "1x-a.sock", "0-a.sock",
+                                   "12-a", "12-a.socket", "99999999999999999999-a.sock", "12 -a.sock", "+1-a.sock"})
         EXPECT_EQ(0, fromFileName("/run", name).pid) << name;
 }
 
@@ -73,8 +73,6 @@ TEST(OroJson, ReadsWithoutTrust) {
     EXPECT_EQ("", textOf(parsed("[1]"), "a"));
     EXPECT_EQ("[1]", textOf(parsed("{\"a\": [1]}"), "a"));
     EXPECT_EQ(7, wholeOf(parsed("{\"a\": 1.5}"), "a", 7));
-    EXPECT_EQ(Json("much"), valueOrText("much"));
-    EXPECT_EQ(Json(-2), valueOrText("-2"));
     EXPECT_EQ("\"\uFFFD\"", lineOf(Json("\xff")));
 }
 
@@ -95,7 +93,8 @@ TEST(OroValues, HaveMembersByPath) {
     EXPECT_EQ(Json(6), *memberAt(value, "joints.1.q"));
     EXPECT_EQ(Json(nullptr), *memberAt(value, "pose.n"));
     EXPECT_EQ(&value, memberAt(value, ""));
-    for (const char* const path : {"pose.y", "joints[2]", "joints[-1]", "joints[x]", "joints[", "pose.x.z", "joints[99999999999999999999]"})
+    for (const char* const path :
+         {"pose.y", "joints[2]", "joints[-1]", "joints[x]", "joints[", "pose.x.z", "joints[99999999999999999999]"})
         EXPECT_EQ(nullptr, memberAt(value, path)) << path;
     std::vector<std::string> names;
     for (const auto& leaf : leavesOf(value)) names.push_back(leaf.first);

@@ -80,7 +80,7 @@ class Protocol(OroCase):
         for result in junk:
             fake = self.fake(lambda c, r, result=result: c.answer(r, result))
             for words in (("list",), ("tree",), ("show", "a"), ("get", "a"), ("set", "a", "1"), ("call", "a"), ("graph",),
-                          ("graph", "--dot"), ("top",), ("start", "a"), ("log",), ("__complete", "show", "a.")):
+                          ("graph", "--dot"), ("top",), ("start", "a"), ("__complete", "show", "a.")):
                 done = subprocess.run([ORO, *words], env=self.own(), capture_output=True, timeout=20, check=False)
                 self.assertIn(done.returncode, (0, 1), (words, result, done.stderr))
                 self.assertNotIn(b"not expected", done.stderr, (words, result))
@@ -165,19 +165,20 @@ class Protocol(OroCase):
         fake = self.fake(lambda c, r: c.answer(r, {"text": ""}))
         self.oro("set", "a.b", "-0.5")
         self.oro("set", "a.b", "[1, 2]")
-        self.oro("call", "a.b", "-1", "[1, 2]", "text", "true", "--timeout", "3")
+        self.oro("call", "a.b", "-1", "[1, 2]", "text", '"5"', "--timeout", "3")
         self.assertEqual(["-0.5", "[1, 2]"], [r["text"] for r in fake.requests[:2]])
-        self.assertEqual([-1, [1, 2], "text", True], fake.requests[2]["arguments"])
+        self.assertEqual(["-1", "[1, 2]", "text", "5"], fake.requests[2]["arguments"])
 
 
 class Samples(OroCase):
     def test_forms_of_samples(self):
         values = [{"value": {"x": 1.5, "name": "a\"b", "list": [1, 2]}}, {"value": {"x": -2.0, "name": "c", "list": [3, 4]},
-                                                                         "time": 1_500_000_001, "dropped": 3}]
+                                                                         "time": 1_500_000_001, "dropped": 3},
+                  {"value": {}, "dropped": 3}]
         self.fake(lambda c, r: port(c, r, values))
-        out, err = self.oro("echo", "tank.level", "--count", "2")
-        self.assertEqual('{x = 1.5, name = "a\\"b", list = [1, 2]}\n{x = -2, name = "c", list = [3, 4]}\n', out)
-        self.assertIn("3 samples were dropped here", err)
+        out, err = self.oro("echo", "tank.level", "--count", "3")
+        self.assertEqual('{x = 1.5, name = "a\\"b", list = [1, 2]}\n{x = -2, name = "c", list = [3, 4]}\n{}\n', out)
+        self.assertEqual(1, err.count("3 samples were dropped here"))
         out, _ = self.oro("echo", "tank.level", "--count", "2", "--csv")
         self.assertEqual('time,x,name,list[0],list[1]\n1.000000000,1.5,"a""b",1,2\n1.500000001,-2,c,3,4\n', out)
         out, _ = self.oro("echo", "tank.level", "--once", "--json")
@@ -209,14 +210,19 @@ class Samples(OroCase):
             fake.close()
 
     def test_ctrl_c_ends_with_status_0_and_a_summary(self):
-        samples = [{"time": 1_000_000_000 + i * 10_000_000} for i in range(101)]
+        samples = [{"time": 1_000_000_000 + i * 100_000_000} for i in range(101)]
         self.fake(lambda c, r: port(c, r, samples))
         process = self.start_oro("hz", "tank.level", "--interval", "0.1")
-        self.assertIn("100 Hz", process.stdout.readline() + process.stdout.readline())
+        self.assertIn("10 Hz", process.stdout.readline() + process.stdout.readline())
         process.send_signal(signal.SIGINT)
         out, err = process.communicate(timeout=10)
         self.assertEqual((0, ""), (process.returncode, err))
-        self.assertRegex(out.splitlines()[-1], r"^in all: 100 Hz  interval min 10 ms  max 10 ms  deviation \S+ us  101 samples$")
+        self.assertRegex(out.splitlines()[-1], r"^in all: 10 Hz  interval min 100 ms  max 100 ms  deviation \S+ us  101 samples$")
+
+    def test_samples_that_were_dropped_count(self):
+        self.fake(lambda c, r: port(c, r, [{"time": 1_000_000_000 + i * 1_000_000, "dropped": i} for i in range(101)]))
+        out, _ = self.oro("hz", "tank.level", "--count", "1", "--interval", "0.2")
+        self.assertEqual("2000 Hz  interval 500 us  101 samples, 100 dropped\n", out)
 
     def test_delay_finds_time_stamps(self):
         def delay(value, *words):
