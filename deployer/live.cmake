@@ -16,7 +16,6 @@ target_sources(oroforge_deployer_program PRIVATE
 add_library(orocos-ocl-live SHARED
   live/door/peer.cpp
   live/door/token.cpp
-  live/requests/requests.cpp
   live/samples/log_lines.cpp
   live/samples/port_watch.cpp
   live/server/access.cpp
@@ -27,12 +26,12 @@ add_library(orocos-ocl-live SHARED
   live/server/oro_messages.cpp
   live/server/oro_streams.cpp
   live/server/server.cpp
+  live/server/sockets.cpp
   live/server/text_depth.cpp
   live/server/transport.cpp)
 target_include_directories(orocos-ocl-live PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
 target_link_libraries(orocos-ocl-live
-  PUBLIC orocos-rtt orocos-rtt-encoding nlohmann_json::nlohmann_json
-  PRIVATE oroforge_diag)
+  PUBLIC orocos-rtt orocos-rtt-encoding nlohmann_json::nlohmann_json oroforge_live_requests)
 set_target_properties(orocos-ocl-live PROPERTIES
   OUTPUT_NAME orocos-ocl-live-${OROCOS_TARGET}
   LIBRARY_OUTPUT_DIRECTORY ${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/oroforge

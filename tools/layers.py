@@ -49,7 +49,10 @@ LAYER_OF = {
     "deployer/console/theme.": "console_text",
     "deployer/console/history.": "console_text",
     "deployer/live/client/": "live_client",
+    "deployer/live/door/": "live_door",
     "deployer/live/requests/": "live_requests",
+    "deployer/live/samples/": "live_samples",
+    "deployer/live/server/": "live_server",
     "deployer/lua/": "lua",
     "deployer/reporting/": "reporting",
     "deployer/reporting/mcap/": "mcap",     # the file format alone
@@ -120,6 +123,9 @@ MAY_INCLUDE = {
     "console_text": set(),
     "live_client": {"diag", "console_text"},
     "live_requests": DEPLOYER | {"encoding", "console", "console_text"},
+    "live_door": set(),                     # in every deployment: neither JSON nor Beast
+    "live_samples": DEPLOYER | {"encoding"},
+    "live_server": DEPLOYER | {"encoding", "live_door", "live_requests", "live_samples"},
     "lua": DEPLOYER,
     "mcap": set(),
     "reporting": DEPLOYER | {"encoding", "mcap"},
@@ -127,7 +133,7 @@ MAY_INCLUDE = {
     "components": DEPLOYER,
     "chain": DEPLOYER,
     "rt_check": set(),                      # preloaded: it must not bring the runtime along
-    "bin": DEPLOYER | {"deployment", "console", "lua", "reporting", "logging", "components", "chain", "rt_check", "corba", "report", "live_client"},
+    "bin": DEPLOYER | {"deployment", "console", "lua", "reporting", "logging", "components", "chain", "rt_check", "corba", "report", "live_client", "live_door"},
     "model": {"diag"},
     "manifest": LEAFS | {"model"},
     "adapters": LEAFS,
@@ -169,6 +175,7 @@ FOREIGN = {
     r"(ros|roscpp|tf2?|actionlib|dynamic_reconfigure)/": ["ros/", "tests/unit/ros_", "bench/ros_"],
     # Of the runtime, what stays out of components and their libraries.
     r"nlohmann/": ["runtime/report/", "runtime/rtt/encoding/", "deployer/live/", "deployer/logging/", "generator/", "typekit_gen/", "tests/"],
+    r"boost/(asio|beast)(/|\.hpp)": ["deployer/live/server/transport.cpp", "deployer/live/client/", "tests/unit/live/", "tests/fuzz/"],
     r"kainjow/": ["generator/render/"],
     r"CLI/": ["generator/driver/", "typekit_gen/driver/", "deployer/"],
     r"(gtest|gmock)/": ["tests/", "templates/", "examples/"],    # packages bring a test

@@ -74,10 +74,12 @@ const struct {
      "let Foxglove, Lichtblick and 'oro' look at the deployment at ADDRESS:PORT and print the URL; default: "
      "127.0.0.1:8765"},
     {"web-allow", Takes::Word,
-     "what they may do there besides looking, such as properties,operations,lifecycle: set properties, call operations, "
+     "what they may do there besides looking, such as properties,operations,lifecycle: set properties, call "
+     "operations, "
      "start and stop components"},
     {"web-token-file", Takes::Word,
-     "a file with the token that they must know, which only its owner may read; without it, each run has another token"},
+     "a file with the token that they must know, which only its owner may read; without it, each run has another "
+     "token"},
     {"DeployerName", Takes::Words, "name of the deployer; the option's name may be left out"},
 };
 
@@ -216,7 +218,8 @@ void takeLive(const po::variables_map& values, Options& options, std::string& er
     if (values.count("web") && options.webAddress.empty()) error = "the address of --web is empty";
     if (values.count("web-token-file")) options.webTokenFile = values["web-token-file"].as<std::string>();
     for (const char* name : {"web-allow", "web-token-file"})
-        if (values.count(name) && !values.count("web")) error = std::string("--") + name + " is of no use without --web";
+        if (values.count(name) && !values.count("web"))
+            error = std::string("--") + name + " is of no use without --web";
     if (!values.count("web-allow")) return;
     std::istringstream words(values["web-allow"].as<std::string>());
     for (std::string word; std::getline(words, word, ',');) {

@@ -27,7 +27,12 @@ namespace {
 
 void reportAt(const std::string& file, diag::Severity severity, const char* code, const std::string& message) {
     diag::Sink sink;
-    sink.add({severity, code, {file}, message, {}, {}});
+    diag::Diagnostic made;
+    made.severity = severity;
+    made.code = code;
+    made.where.file = file;
+    made.message = message;
+    sink.add(std::move(made));
     report(sink);
 }
 
@@ -156,7 +161,8 @@ bool LiveWindow::open(DeploymentComponent& deployer) {
     impl_->deployer = &deployer;
     if (!impl_->web) {
         if (impl_->socket)
-            impl_->door.emplace(impl_->socket->get(), [this](live::Descriptor client) { impl_->letIn(std::move(client)); });
+            impl_->door.emplace(impl_->socket->get(),
+                                [this](live::Descriptor client) { impl_->letIn(std::move(client)); });
         return true;
     }
     live::ServerStart how = impl_->start();

@@ -9,9 +9,7 @@ namespace OCL::live {
 
 bool Peer::mayEnter() const { return known && (user == ::geteuid() || user == 0); }
 
-std::string Peer::text() const {
-    return "process " + std::to_string(process) + " of user " + std::to_string(user);
-}
+std::string Peer::text() const { return "process " + std::to_string(process) + " of user " + std::to_string(user); }
 
 Peer peerOf(int socket) {
     ucred found{};

@@ -20,8 +20,8 @@ struct WebAddress {
     std::string text() const;
 };
 
-/** "ADDRESS:PORT", "ADDRESS", ":PORT" or "PORT"; the address is 127.0.0.1, [::1], localhost … False, with the reason, if
-    it is none of these. */
+/** "ADDRESS:PORT", "ADDRESS", ":PORT" or "PORT"; the address is 127.0.0.1, [::1], localhost … False, with the reason,
+    if it is none of these. */
 bool parseWebAddress(const std::string& text, WebAddress& result, std::string& error);
 
 /** Listens there, and sets the port that is used. Empty, with the reason, if that fails. */

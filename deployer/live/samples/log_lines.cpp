@@ -9,9 +9,7 @@ namespace {
 constexpr std::size_t kMost = 1000;
 }
 
-LogLines::LogLines(std::function<void()> wake) : wake_(std::move(wake)) {
-    (void)RTT::setLogObserver(this);
-}
+LogLines::LogLines(std::function<void()> wake) : wake_(std::move(wake)) { (void)RTT::setLogObserver(this); }
 
 LogLines::~LogLines() { (void)RTT::setLogObserver(nullptr); }
 

@@ -20,7 +20,8 @@ constexpr char kCdrHead[4] = {0, RTT::encoding::kNativeOrder == ByteOrder::Littl
 const char kPortName[] = "live window";
 
 RTT::ConnPolicy policyFor(unsigned buffer) {
-    RTT::ConnPolicy policy = buffer == 0 ? RTT::ConnPolicy::data() : RTT::ConnPolicy::circularBuffer(static_cast<int>(buffer));
+    RTT::ConnPolicy policy =
+        buffer == 0 ? RTT::ConnPolicy::data() : RTT::ConnPolicy::circularBuffer(static_cast<int>(buffer));
     policy.init = true;
     return policy;
 }
@@ -42,7 +43,8 @@ std::unique_ptr<PortWatch> PortWatch::make(RTT::base::OutputPortInterface& port,
         plan = RTT::encoding::Plan::make(*type, RTT::encoding::cdrRules(), why);
     if (!json && !plan) return nullptr;
     RTT::base::DataSourceBase::shared_ptr value = type->buildValue();
-    auto* const clone = dynamic_cast<RTT::base::InputPortInterface*>(static_cast<RTT::base::PortInterface*>(port.antiClone()));
+    auto* const clone =
+        dynamic_cast<RTT::base::InputPortInterface*>(static_cast<RTT::base::PortInterface*>(port.antiClone()));
     if (!value || !clone) {
         why = "its type '" + type->getTypeName() + "' cannot be copied";
         return nullptr;

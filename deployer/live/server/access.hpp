@@ -21,7 +21,7 @@ struct WebAccess {
 };
 
 /**
- * Who may open a WebSocket. Of others, one gets a status and a line that says why. A browser sends the page's host as
+ * Decides whether a client may open a WebSocket; another one gets a status and a line that says why. A browser sends the page's host as
  * Origin, and the host of the URL as Host; a page of a foreign site has another one, also if its name leads here (DNS
  * rebinding). So neither gets in, even with the token.
  */

@@ -23,9 +23,8 @@ public:
     virtual void ask(std::uint64_t client, const nlohmann::json& request, const Caller& caller, Then then) = 0;
     /** Asks, and gives the answer to the client as it is. */
     virtual void forward(std::uint64_t client, const nlohmann::json& request, const Caller& caller) = 0;
-    /** Watches "Arm.service.port". Null, with the reason, if it cannot be watched. */
-    virtual std::unique_ptr<PortWatch> watch(const std::string& path, const PortWatch::Options& options,
-                                             std::string& why) = 0;
+    /** Watches "Arm.service.port". Throws Failure if it cannot be watched. */
+    virtual std::unique_ptr<PortWatch> watch(const std::string& path, const PortWatch::Options& options) = 0;
     /** A client wants ticks or lines of the log, or does not any more. */
     virtual void wantsChanged() = 0;
 

@@ -17,7 +17,9 @@ constexpr std::size_t kMostBytes = 1024 * 1024, kDeepest = 32;
 constexpr unsigned kMostOutstanding = 64;
 
 /** An id is sent back with each sample. */
-bool isId(const json& id) { return id.is_number() || (id.is_string() && id.get_ref<const std::string&>().size() <= 64); }
+bool isId(const json& id) {
+    return id.is_number() || (id.is_string() && id.get_ref<const std::string&>().size() <= 64);
+}
 
 }  // namespace
 
@@ -45,27 +47,26 @@ void LiveClient::forwarded(std::string text) {
 
 void LiveClient::receive(std::string_view message, bool isBinary) {
     if (isBinary)
-        sendText(oroError(nullptr, kMalformedMessage, "messages of oro.v1 are texts"));
+        sendText(oroError(nullptr, kMalformed, "messages of oro.v1 are texts"));
     else
         receiveText(message);
 }
 
 void LiveClient::receiveText(std::string_view text) {
     if (depthOf(text) > kDeepest)
-        return sendText(oroError(nullptr, kMalformedMessage, "the message nests deeper than 32 levels"));
+        return sendText(oroError(nullptr, kMalformed, "the message nests deeper than 32 levels"));
     const json message = json::parse(text.begin(), text.end(), nullptr, /*allow_exceptions=*/false);
-    if (!message.is_object())
-        return sendText(oroError(nullptr, kMalformedMessage, "the message is not a JSON object"));
+    if (!message.is_object()) return sendText(oroError(nullptr, kMalformed, "the message is not a JSON object"));
     const auto op = message.find("op");
     if (op == message.end() || !op->is_string())
-        return sendText(oroError(nullptr, kMalformedMessage, "the message has no text 'op'"));
+        return sendText(oroError(nullptr, kMalformed, "the message has no text 'op'"));
     receiveOro(message, op->get<std::string>());
 }
 
 void LiveClient::receiveOro(const json& message, const std::string& op) {
     const json id = message.value("id", json());
     if (!isId(id))
-        return sendText(oroError(nullptr, kMalformedMessage, "the 'id' is not a number or a text of up to 64 bytes"));
+        return sendText(oroError(nullptr, kMalformed, "the 'id' is not a number or a text of up to 64 bytes"));
     if (streams_.receive(message, id, op)) return;
     ++outstanding_;
     host_.forward(number_, message, caller_);

@@ -55,7 +55,7 @@ private:
     Link& link_;
     MessageQueue queue_;
     OroStreams streams_;
-    unsigned outstanding_ = 0;                   // forwarded, not answered
+    unsigned outstanding_ = 0;  // forwarded, not answered
 };
 
 }  // namespace OCL::live

@@ -11,8 +11,7 @@
 OCL::live::RunningServer* oroLiveServe(const OCL::live::ServerStart& start, std::string& error) noexcept {
     try {
         auto server = std::make_unique<OCL::live::Server>(start);
-        server->started_ = server->start();
-        if (server->started_) return server.release();
+        if (server->begin()) return server.release();
         error = "there is no thread for it";
     } catch (const std::exception& thrown) {
         error = thrown.what();

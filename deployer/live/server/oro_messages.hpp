@@ -4,6 +4,8 @@
 #ifndef OROFORGE_LIVE_ORO_MESSAGES_HPP
 #define OROFORGE_LIVE_ORO_MESSAGES_HPP
 
+#include "../requests/failure.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <cstdint>
@@ -11,11 +13,7 @@
 
 namespace OCL::live {
 
-// deployer/explain has a text for each.
-inline constexpr const char* kMalformedMessage = "LIV001";
-inline constexpr const char* kUnknownPort = "LIV003";
-inline constexpr const char* kPortGone = "LIV008";
-inline constexpr const char* kTooManyWatches = "LIV010";
+// deployer/explain has a text for each. The others are those of ../requests/failure.hpp.
 inline constexpr const char* kNotWatchable = "LIV020";
 inline constexpr const char* kNoSuchStream = "LIV021";
 

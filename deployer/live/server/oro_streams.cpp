@@ -72,21 +72,24 @@ void OroStreams::watch(const json& message, const json& id) {
     double rate = 0, buffer = kUsualBuffer;
     const auto port = message.find("port");
     const auto form = message.find("format");
-    if (port == message.end() || !port->is_string()) return fail(kMalformedMessage, "the text 'port' is missing");
-    if (form != message.end() && *form != "json") return fail(kMalformedMessage, "the only format is \"json\"");
+    if (port == message.end() || !port->is_string()) return fail(kMalformed, "the text 'port' is missing");
+    if (form != message.end() && *form != "json") return fail(kMalformed, "the only format is \"json\"");
     if (!parseNumber(message, "rate", 0.001, 1000, rate))
-        return fail(kMalformedMessage, "'rate' is not a number of samples per second from 0.001 to 1000");
+        return fail(kMalformed, "'rate' is not a number of samples per second from 0.001 to 1000");
     if (!parseNumber(message, "buffer", 1, kLargestBuffer, buffer))
-        return fail(kMalformedMessage, "'buffer' is not a number of samples from 1 to 10000");
-    if (watches_.size() >= kMostStreams) return fail(kTooManyWatches, "this client watches 256 ports already");
-    if (watches_.count(textOf(id)) != 0) return fail(kMalformedMessage, "a watch has this id already");
+        return fail(kMalformed, "'buffer' is not a number of samples from 1 to 10000");
+    if (watches_.size() >= kMostStreams) return fail(kTooMany, "this client watches 256 ports already");
+    if (watches_.count(textOf(id)) != 0) return fail(kMalformed, "a watch has this id already");
     made.id = id;
     made.path = port->get<std::string>();
     made.period = rate > 0 ? std::llround(kSecond / rate) : 0;
-    std::string why;
-    const unsigned waiting = made.period != 0 && message.find("buffer") == message.end() ? 0 : static_cast<unsigned>(buffer);
-    made.port = client_.host().watch(made.path, {SampleForm::Json, waiting}, why);
-    if (!made.port) return fail(why.compare(0, 11, "there is no") == 0 ? kUnknownPort : kNotWatchable, why);
+    const unsigned waiting =
+        made.period != 0 && message.find("buffer") == message.end() ? 0 : static_cast<unsigned>(buffer);
+    try {
+        made.port = client_.host().watch(made.path, {SampleForm::Json, waiting});
+    } catch (const Failure& failure) {
+        return fail(failure.code(), failure.what());
+    }
     made.channel = ++lastChannel_;
     client_.sendText(oroAnswer(id, {{"type", made.port->type()}, {"fields", fieldsOf(made.port->value())}}));
     watches_.emplace(textOf(id), std::move(made));
@@ -97,17 +100,19 @@ void OroStreams::log(const json& message, const json& id) {
     Log made;
     const auto level = message.find("level");
     if (level != message.end() && !level->is_null() && !parseLevel(*level, made.level))
-        return client_.sendText(oroError(id, kMalformedMessage, "'level' is none of Fatal, Critical, Error, Warning, Info "
-                                                                "and Debug"));
+        return client_.sendText(oroError(id, kMalformed,
+                                         "'level' is none of Fatal, Critical, Error, Warning, Info "
+                                         "and Debug"));
     if (!message.value("follow", json(true)).is_boolean() || !message.value("follow", true))
-        return client_.sendText(oroError(id, kMalformedMessage, "lines of the past are in the file of the log only; "
-                                                                "'follow' must be true"));
-    if (logs_.size() >= kMostStreams) return client_.sendText(oroError(id, kTooManyWatches, "256 streams of the log"));
+        return client_.sendText(oroError(id, kMalformed,
+                                         "lines of the past are in the file of the log only; "
+                                         "'follow' must be true"));
+    if (logs_.size() >= kMostStreams) return client_.sendText(oroError(id, kTooMany, "256 streams of the log"));
     made.id = id;
     made.channel = ++lastChannel_;
     made.before = lostLines_;
     if (!logs_.emplace(textOf(id), made).second)
-        return client_.sendText(oroError(id, kMalformedMessage, "a stream of the log has this id already"));
+        return client_.sendText(oroError(id, kMalformed, "a stream of the log has this id already"));
     client_.sendText(oroAnswer(id, json::object()));
     client_.host().wantsChanged();
 }
@@ -135,9 +140,10 @@ void OroStreams::onTick(std::int64_t now) {
         if (readAll(at->second, now)) {
             ++at;
         } else {
-            client_.sendText(oroError(at->second.id, kPortGone, "port '" + at->second.path +
-                                                                    "' was destroyed or disconnected; the watch has "
-                                                                    "ended"));
+            client_.sendText(oroError(at->second.id, kGone,
+                                      "port '" + at->second.path +
+                                          "' was destroyed or disconnected; the watch has "
+                                          "ended"));
             at = watches_.erase(at);
             someEnded = true;
         }

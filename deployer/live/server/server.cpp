@@ -19,7 +19,9 @@ namespace {
 
 using nlohmann::json;
 
-std::int64_t monotonicTime() { return std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1); }
+std::int64_t monotonicTime() {
+    return std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
+}
 
 }  // namespace
 
@@ -45,11 +47,11 @@ Server::Server(const ServerStart& start)
     : RTT::Activity(ORO_SCHED_OTHER, 0, 0.0, nullptr, "live window"),
       webMay_(start.webMay),
       web_{start.token, start.webIsLoopback},
-      deployer_(*start.deployer),
-      gate_(start.deployer->engine()->gate()),
+      root_{start.deployer->engine()->gate(), start.deployer->getName()},
       transport_(*this),
       mailbox_(std::make_shared<Mailbox>(transport_)),
-      requests_(std::make_unique<Requests>(*start.deployer, Deployment{start.name, start.files, start.version}, start.stop)) {
+      requests_(
+          std::make_unique<Requests>(*start.deployer, Deployment{start.name, start.files, start.version}, start.stop)) {
     if (start.local >= 0) transport_.listen(start.local, /*isLocal=*/true);
     if (start.web >= 0) transport_.listen(start.web, /*isLocal=*/false);
     if (start.client >= 0) transport_.add(start.client, /*isLocal=*/true);
@@ -76,8 +78,9 @@ Verdict Server::judge(const RequestHead& head) { return judgeRequest(head, web_)
 std::unique_ptr<Client> Server::welcome(const RequestHead& head, const std::string& protocol, const std::string& name,
                                         Link& link) {
     const std::uint64_t number = ++lastClient_;
-    const Rights rights = head.isLocal ? Rights{true, true, true, true, true}
-                                       : Rights{webMay_.properties, webMay_.operations, webMay_.lifecycle, false, false};
+    const Rights rights = head.isLocal
+                              ? Rights{true, true, true, true, true}
+                              : Rights{webMay_.properties, webMay_.operations, webMay_.lifecycle, false, false};
     RTT::log(RTT::Info) << "live window: client " << number << " is " << name << RTT::endlog();
     return std::make_unique<Guest>(*this, number, Caller{name + ", client " + std::to_string(number), rights}, link,
                                    !protocol.empty() && protocol != kOro);
@@ -111,9 +114,8 @@ void Server::forward(std::uint64_t client, const json& request, const Caller& ca
     });
 }
 
-std::unique_ptr<PortWatch> Server::watch(const std::string& path, const PortWatch::Options& options,
-                                         std::string& why) {
-    return watchPort(gate_, path, options, why);
+std::unique_ptr<PortWatch> Server::watch(const std::string& path, const PortWatch::Options& options) {
+    return watchPort(root_, path, options);
 }
 
 void Server::onTick() {

@@ -4,6 +4,7 @@
 #define OROFORGE_LIVE_SERVER_HPP
 
 #include "../door/module.hpp"
+#include "../requests/lookup.hpp"
 #include "../requests/requests.hpp"
 #include "../samples/log_lines.hpp"
 #include "access.hpp"
@@ -12,7 +13,6 @@
 #include "transport.hpp"
 
 #include <rtt/Activity.hpp>
-#include <rtt/internal/engine/engine_gate.hpp>
 #include <rtt/os/Semaphore.hpp>
 
 #include <cstdint>
@@ -29,7 +29,8 @@ public:
     explicit Server(const ServerStart& start);
     ~Server() override;
 
-    using RTT::Activity::start;
+    /** False if there is no thread. */
+    bool begin() { return started_ = start(); }
 
 private:
     void loop() override;
@@ -41,8 +42,7 @@ private:
     // Host
     void ask(std::uint64_t client, const nlohmann::json& request, const Caller& caller, Then then) override;
     void forward(std::uint64_t client, const nlohmann::json& request, const Caller& caller) override;
-    std::unique_ptr<PortWatch> watch(const std::string& path, const PortWatch::Options& options,
-                                     std::string& why) override;
+    std::unique_ptr<PortWatch> watch(const std::string& path, const PortWatch::Options& options) override;
     void wantsChanged() override;
     class Guest;
 
@@ -52,8 +52,7 @@ private:
 
     const Permissions webMay_;
     const WebAccess web_;
-    RTT::TaskContext& deployer_;
-    const boost::intrusive_ptr<const RTT::internal::EngineGate> gate_;
+    const Root root_;
     Transport transport_;
     const std::shared_ptr<Mailbox> mailbox_;
     std::unique_ptr<Requests> requests_;
@@ -63,8 +62,6 @@ private:
     std::uint64_t lostLines_ = 0;
     RTT::os::Semaphore done_{0};
     bool started_ = false;
-
-    friend RunningServer* ::oroLiveServe(const ServerStart& start, std::string& error) noexcept;
 };
 
 }  // namespace OCL::live

@@ -4,6 +4,7 @@
 #include "transport.hpp"
 
 #include "../door/peer.hpp"
+#include "sockets.hpp"
 
 #include <rtt/Logger.hpp>
 
@@ -22,9 +23,6 @@
 #include <optional>
 #include <vector>
 
-#include <arpa/inet.h>
-#include <netinet/in.h>
-#include <netinet/tcp.h>
 #include <sys/socket.h>
 
 namespace OCL::live {
@@ -41,38 +39,6 @@ constexpr std::size_t kMostClients = 16, kMostHandshakes = 32, kLongestMessage =
 constexpr std::chrono::seconds kHandshake(10);
 constexpr std::chrono::milliseconds kFarewell(200), kAcceptPause(100);
 constexpr int kAcceptedAtOnce = 64;
-/** A computer that has gone without a word is noticed after about that time, in seconds. */
-constexpr int kKeepAlive = 60;
-
-/** "127.0.0.1:51234" */
-std::string addressOf(int socket) {
-    sockaddr_storage bytes{};
-    socklen_t size = sizeof bytes;
-    if (::getpeername(socket, reinterpret_cast<sockaddr*>(&bytes), &size) != 0) return "an unknown address";
-    char text[INET6_ADDRSTRLEN] = "";
-    const bool six = bytes.ss_family == AF_INET6;
-    const auto* const in4 = reinterpret_cast<const sockaddr_in*>(&bytes);
-    const auto* const in6 = reinterpret_cast<const sockaddr_in6*>(&bytes);
-    const void* const address = six ? static_cast<const void*>(&in6->sin6_addr) : &in4->sin_addr;
-    (void)::inet_ntop(bytes.ss_family, address, text, sizeof text);
-    return (six ? "[" + std::string(text) + "]" : text) + ":" + std::to_string(ntohs(in4->sin_port));
-}
-
-int familyOf(int socket) {
-    int family = AF_UNIX;
-    socklen_t size = sizeof family;
-    (void)::getsockopt(socket, SOL_SOCKET, SO_DOMAIN, &family, &size);
-    return family;
-}
-
-void keepAlive(int socket) {
-    const int on = 1, idle = kKeepAlive;
-    (void)::setsockopt(socket, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
-    (void)::setsockopt(socket, SOL_SOCKET, SO_KEEPALIVE, &on, sizeof on);
-    (void)::setsockopt(socket, IPPROTO_TCP, TCP_KEEPIDLE, &idle, sizeof idle);
-}
-
-bool isExhaustion(int error) { return error == EMFILE || error == ENFILE || error == ENOBUFS || error == ENOMEM; }
 
 }  // namespace
 
@@ -106,7 +72,8 @@ public:
 
 private:
     struct Listener {
-        Listener(Impl& impl, int number, bool isLocal) : socket(impl.context, number), pause(impl.context), isLocal(isLocal) {}
+        Listener(Impl& impl, int number, bool isLocal)
+            : socket(impl.context, number), pause(impl.context), isLocal(isLocal) {}
         net::posix::stream_descriptor socket;
         net::steady_timer pause;
         bool isLocal;
@@ -261,10 +228,11 @@ private:
     }
     void takeRest() {
         buffer_.clear();
-        stream_.next_layer().async_read_some(buffer_.prepare(4096), [self = shared_from_this()](Error error, std::size_t) {
-            if (error) return self->cut();
-            self->takeRest();
-        });
+        stream_.next_layer().async_read_some(buffer_.prepare(4096),
+                                             [self = shared_from_this()](Error error, std::size_t) {
+                                                 if (error) return self->cut();
+                                                 self->takeRest();
+                                             });
     }
 
     void read() {
@@ -275,7 +243,8 @@ private:
             if (error || !self->client_) return self->cut();
             const auto data = self->buffer_.cdata();
             self->guarded([&] {
-                self->client_->receive({static_cast<const char*>(data.data()), data.size()}, self->stream_.got_binary());
+                self->client_->receive({static_cast<const char*>(data.data()), data.size()},
+                                       self->stream_.got_binary());
             });
             self->buffer_.clear();
             self->wake();
@@ -292,7 +261,8 @@ private:
             RTT::log(RTT::Warning) << "client " << name_ << " of the live window is dropped: " << thrown.what()
                                    << RTT::endlog();
             // Not at once: the caller uses the client.
-            net::post(owner_.context, [self = shared_from_this()] { self->close(websocket::close_code::internal_error); });
+            net::post(owner_.context,
+                      [self = shared_from_this()] { self->close(websocket::close_code::internal_error); });
         }
     }
 
@@ -325,7 +295,8 @@ void Transport::Impl::dropOldestHandshake() {
     std::size_t count = 0;
     for (const auto& connection : connections_) count += connection->isOpen() ? 0 : 1;
     if (count <= kMostHandshakes) return;
-    const auto oldest = std::find_if(connections_.begin(), connections_.end(), [](const auto& one) { return !one->isOpen(); });
+    const auto oldest =
+        std::find_if(connections_.begin(), connections_.end(), [](const auto& one) { return !one->isOpen(); });
     const std::shared_ptr<Connection> dropped = *oldest;
     dropped->cut();
 }
