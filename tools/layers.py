@@ -133,7 +133,7 @@ MAY_INCLUDE = {
     "components": DEPLOYER,
     "chain": DEPLOYER,
     "rt_check": set(),                      # preloaded: it must not bring the runtime along
-    "bin": DEPLOYER | {"deployment", "console", "lua", "reporting", "logging", "components", "chain", "rt_check", "corba", "report", "live_client", "live_door"},
+    "bin": DEPLOYER | {"deployment", "console", "lua", "reporting", "logging", "components", "chain", "rt_check", "corba", "report", "live_client", "live_door", "console_text"},
     "model": {"diag"},
     "manifest": LEAFS | {"model"},
     "adapters": LEAFS,

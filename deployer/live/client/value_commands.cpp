@@ -46,15 +46,10 @@ void callOperation(Session& session) {
     const std::string text = shownText(result);
     if (!text.empty() && textOf(result, "type") != "void") out.line(out.paint(Style::Value, text));
     // What the operation changed.
-    const Json& changed = memberOf(result, "arguments");
-    for (const auto& argument : changed.items()) {
-        const bool hasText = argument.value().is_object() && argument.value().contains("text");
-        const std::string name = argument.value().is_object() ? textOf(argument.value(), "name") : "";
-        const std::string place =
-            changed.is_object() ? argument.key() : "argument " + std::to_string(std::stoul(argument.key()) + 1);
-        if (argument.value().is_null()) continue;
-        out.line(printable(name.empty() ? place : name) + " = " +
-                 (hasText ? shownText(argument.value()) : valueText(argument.value())));
+    for (const Json& changed : memberOf(result, "arguments")) {
+        const std::string name = printable(textOf(changed, "name"));
+        out.line((name.empty() ? "argument " + std::to_string(wholeOf(changed, "index") + 1) : name) + " = " +
+                 out.paint(Style::Value, shownText(changed)));
     }
 }
 

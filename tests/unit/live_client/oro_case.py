@@ -68,8 +68,10 @@ class OroCase(unittest.TestCase):
         self.addCleanup(self.end, process)
         process.stdin.write('"ready"\n')
         process.stdin.flush()
-        line = process.stdout.readline()
-        self.assertIn("ready", line)
+        self.said = []
+        while not self.said or "ready" not in self.said[-1]:
+            self.said.append(process.stdout.readline())
+            self.assertTrue(self.said[-1], f"the deployer ends: {self.said}")
         return process
 
     def wait(self, condition, what):
@@ -82,4 +84,4 @@ class OroCase(unittest.TestCase):
 def main():
     for number in signal.SIGHUP, signal.SIGINT:  # which nohup and shells ignore for what is in the background
         signal.signal(number, signal.SIG_DFL)
-    unittest.main(argv=sys.argv[:1])
+    unittest.main(argv=[sys.argv[0], *sys.argv[5:]])
