@@ -3,15 +3,23 @@
 # What a running deployment can be asked, for the module that serves clients.
 find_package(nlohmann_json REQUIRED)
 add_library(oroforge_live_requests OBJECT
+  live/requests/call.cpp
   live/requests/component_thread.cpp
+  live/requests/consoles.cpp
+  live/requests/cycles.cpp
+  live/requests/describe.cpp
   live/requests/fields.cpp
   live/requests/found_value.cpp
+  live/requests/graph.cpp
   live/requests/interface_json.cpp
+  live/requests/lifecycle.cpp
   live/requests/lookup.cpp
   live/requests/ports.cpp
   live/requests/requests.cpp
+  live/requests/set.cpp
   live/requests/show.cpp
   live/requests/ticket.cpp
+  live/requests/top.cpp
   live/requests/value_syntax.cpp
   live/requests/values.cpp
   live/requests/workers.cpp)

@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include "requests.hpp"
 
+#include "consoles.hpp"
 #include "fields.hpp"
 #include "ticket.hpp"
 #include "verbs.hpp"
@@ -9,6 +10,7 @@
 
 #include <diag/nearest_match.hpp>
 #include <rtt/ExecutionEngine.hpp>
+#include <rtt/Logger.hpp>
 #include <rtt/rtt-config.h>
 
 #include <chrono>
@@ -28,18 +30,35 @@ typedef json (*Function)(const Asked&);
 struct Verb {
     Function function;
     bool Rights::*right;  ///< null: looking is always allowed
-    const char* option;   ///< what allows it
     double seconds;       ///< the usual time limit
     bool needsPath;
 };
 
 const std::map<std::string, Verb>& verbs() {
     static const std::map<std::string, Verb> all = {
-        {"tree", {&tree, nullptr, "", 1, false}},
-        {"show", {&show, nullptr, "", 1, false}},
-        {"get", {&get, nullptr, "", 1, true}},
+        {"tree", {&tree, nullptr, 1, false}},
+        {"show", {&show, nullptr, 1, false}},
+        {"get", {&get, nullptr, 1, true}},
+        {"set", {&set, &Rights::properties, 1, true}},
+        {"call", {&call, &Rights::operations, 1, true}},
+        {"lifecycle", {&lifecycle, &Rights::lifecycle, 10, false}},
+        {"describe", {&describe, nullptr, 1, false}},
+        {"graph", {&graph, nullptr, 1, false}},
+        {"top", {&top, nullptr, 15, false}},
     };
     return all;
+}
+
+/** The word of the deployer's option that allows it. */
+const char* wordOf(bool Rights::*right) {
+    if (right == &Rights::properties) return "properties";
+    if (right == &Rights::operations) return "operations";
+    return right == &Rights::lifecycle ? "lifecycle" : "stop";
+}
+
+[[noreturn]] void refuse(const std::string& op, const char* option) {
+    throw Failure(kNotAllowed,
+                  "'" + op + "' is not allowed here; the deployer's option --web-allow=" + option + " allows it");
 }
 
 std::string userName() {
@@ -68,6 +87,7 @@ struct Requests::State {
     const std::int64_t started = nowSince1970();
     Workers workers;
     std::map<std::string, std::shared_ptr<Outlet>> outlets;
+    Consoles consoles{root};
 
     std::shared_ptr<Outlet> outletOf(const std::string& caller) {
         std::shared_ptr<Outlet>& outlet = outlets[caller];
@@ -86,6 +106,8 @@ struct Requests::State {
                 {"user", user},       {"started", started}, {"files", about.files},     {"allow", std::move(allow)}};
     }
 
+    /** True if it was one of the verbs that this thread executes. */
+    bool isDoneHere(const std::string& verb, const std::shared_ptr<Ticket>& ticket);
     void dispatch(const std::shared_ptr<Ticket>& ticket);
 };
 
@@ -97,6 +119,7 @@ Requests::~Requests() {
 }
 
 void Requests::left(const std::string& caller) {
+    state_->consoles.left(caller);
     const auto outlet = state_->outlets.find(caller);
     if (outlet == state_->outlets.end()) return;
     outlet->second->close();
@@ -118,6 +141,26 @@ void Requests::handle(const json& request, const Caller& caller, Answer answer) 
     }
 }
 
+bool Requests::State::isDoneHere(const std::string& verb, const std::shared_ptr<Ticket>& ticket) {
+    typedef void (Consoles::*OfConsole)(const std::shared_ptr<Ticket>&);
+    static const std::map<std::string, OfConsole> ofConsole = {
+        {"line", &Consoles::line}, {"complete", &Consoles::complete}, {"interrupt", &Consoles::interrupt}};
+    const Rights& rights = ticket->caller().rights;
+    if (verb == "hello") return ticket->answer(hello(rights)), true;
+    if (verb == "stop") {
+        if (!rights.stop) refuse("oro.stop", "stop");
+        RTT::log(RTT::Info) << ticket->caller().name << " stops the deployment" << RTT::endlog();
+        ticket->answer({{"done", true}});
+        if (stop) stop();
+        return true;
+    }
+    const auto found = ofConsole.find(verb);
+    if (found == ofConsole.end()) return false;
+    if (!rights.console) refuse("oro." + verb, "console");
+    (consoles.*found->second)(ticket);
+    return true;
+}
+
 void Requests::State::dispatch(const std::shared_ptr<Ticket>& ticket) {
     const json& request = ticket->request();
     const Rights& rights = ticket->caller().rights;
@@ -125,17 +168,15 @@ void Requests::State::dispatch(const std::shared_ptr<Ticket>& ticket) {
         throw Failure(kMalformed, std::string("the request is ") + kindOf(request) + ", expected an object");
     const std::string op = textField(request, "op"), prefix = "oro.";
     const std::string name = op.compare(0, prefix.size(), prefix) == 0 ? op.substr(prefix.size()) : "";
-    if (name == "hello") return ticket->answer(hello(rights));
+    if (isDoneHere(name, ticket)) return;
     const auto found = verbs().find(name);
     if (found == verbs().end()) {
-        std::vector<std::string> known{"hello"};
+        std::vector<std::string> known{"hello", "stop", "line", "complete", "interrupt"};
         for (const auto& [each, verb] : verbs()) known.push_back(each);
         throw Failure(kUnknownVerb, "there is no verb '" + op + "'" + oroforge::diag::didYouMean(name, known));
     }
     const Verb& verb = found->second;
-    if (verb.right && !(rights.*verb.right))
-        throw Failure(kNotAllowed,
-                      "'" + op + "' is not allowed here; the deployer's option " + verb.option + " allows it");
+    if (verb.right && !(rights.*verb.right)) refuse(op, wordOf(verb.right));
     if (verb.needsPath) (void)textField(request, "path");
     const double seconds = secondsField(request, "timeout", verb.seconds);
     const auto run = [from = root, ticket, function = verb.function](std::int64_t deadline) {

@@ -42,8 +42,8 @@ using Answer = std::function<void(nlohmann::json)>;
 
 /**
  * Answers requests. What may take time happens in threads of its own, of which one client has at most eight. What
- * touches the state of a component happens in the thread of that component; if nothing executes it, in one of these threads,
- * between two of its steps.
+ * touches the state of a component happens in the thread of that component; if nothing executes it, in one of these
+ * threads, between two of its steps.
  *
  * Code of a component that does not return keeps its thread until the process ends, so the library that has this code
  * must not be unloaded.
@@ -52,7 +52,7 @@ class Requests {
 public:
     /** `stop` begins the orderly end of the deployment. It must not wait for that. */
     Requests(RTT::TaskContext& deployer, Deployment about, std::function<void()> stop);
-    /** Waits for nothing but an answer that is being given. Later ones are dropped. The deployer may be gone. */
+    /** Waits for nothing but an answer that is being given. Later ones are dropped. */
     ~Requests();
     Requests(const Requests&) = delete;
     Requests& operator=(const Requests&) = delete;

@@ -21,7 +21,7 @@ namespace OCL::live {
 namespace {
 
 constexpr unsigned kThreadsOfOne = 8;  // of one client
-constexpr unsigned kThreads = 64;      // of all
+constexpr unsigned kThreads = 128;     // of all
 constexpr unsigned kRequestsOfOne = 256;
 constexpr std::chrono::seconds kIdle(5);
 
@@ -163,7 +163,8 @@ void Workers::add(Job job) {
     ++client.all;
     state.pending.push_back({ticket, nullptr, job.deadline, job.late});
     state.waiting.push_back(std::move(job));
-    const bool clock = !state.clockRuns, thread = state.idle < state.waiting.size() && state.threads < kThreads;
+    const bool clock = !state.clockRuns,
+               thread = client.all <= kThreadsOfOne && state.idle < state.waiting.size() && state.threads < kThreads;
     state.clockRuns = true;
     if (thread) ++state.threads;
     lock.unlock();

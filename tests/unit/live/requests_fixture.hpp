@@ -32,7 +32,8 @@ using nlohmann::json;
 inline void begin() {
     static const bool begun = [] {
         __os_init(0, nullptr);
-        return RTT::plugin::PluginLoader::Instance()->loadLibrary(RTT_TYPEKIT_FILE);
+        return RTT::plugin::PluginLoader::Instance()->loadLibrary(RTT_TYPEKIT_FILE) &&
+               RTT::plugin::PluginLoader::Instance()->loadLibrary(RTT_SCRIPTING_FILE);
     }();
     ASSERT_TRUE(begun);
 }

@@ -139,6 +139,50 @@ TEST_F(RequestsTest, NonsenseIsAnsweredWithAnError) {
     EXPECT_EQ(json(), ask({{"op", "oro.hello"}})["id"]);
 }
 
+TEST_F(RequestsTest, EveryFieldOfEveryVerbMayBeNonsense) {
+    const std::vector<json> values = {json(),
+                                      1,
+                                      -1,
+                                      1.5e300,
+                                      true,
+                                      "",
+                                      ".",
+                                      "..",
+                                      "[",
+                                      "[]",
+                                      "a[1]",
+                                      "Arm[0]",
+                                      "Arm.gain[0]",
+                                      "Arm.list[99999999999999999999]",
+                                      "Arm.list[-1]",
+                                      "\u0000",
+                                      json::array(),
+                                      json::array({1, json::object()}),
+                                      json::object(),
+                                      {{"a", {{"b", {1, 2}}}}},
+                                      std::string(70000, 'x'),
+                                      std::string(5000, '{'),
+                                      std::string(5000, '[')};
+    for (const char* const verb : {"hello", "tree", "show", "get", "set", "call", "lifecycle", "describe", "graph",
+                                   "line", "complete", "interrupt", "unknown", ""})
+        for (const char* const field :
+             {"path", "value", "text", "arguments", "component", "do", "type", "line", "timeout"})
+            for (const json& value : values) {
+                json request = {{"op", std::string("oro.") + verb},
+                                {"id", value},
+                                {"path", "Arm.gain"},
+                                {"do", "start"},
+                                {"component", "Arm"},
+                                {"type", "double"},
+                                {"line", "1"}};
+                request[field] = value;
+                const json answer = ask(request);
+                ASSERT_TRUE(answer.is_object()) << request;
+                EXPECT_EQ(value, answer["id"]);
+                EXPECT_THAT(answer["op"], testing::AnyOf("oro.answer", "oro.error")) << answer;
+            }
+}
+
 TEST_F(RequestsTest, AComponentThatIsBusyIsShownWithoutItsValues) {
     auto blocked = std::thread([this] {
         arm->provides()->getOperation("nothing");

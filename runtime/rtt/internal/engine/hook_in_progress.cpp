@@ -55,4 +55,8 @@ void HookInProgress::forget(const base::TaskCore* task) noexcept {
 
 void HookInProgress::setWatch(const HookWatch* watch) noexcept { hookWatch.store(watch, std::memory_order_release); }
 
+bool HookInProgress::replaceWatch(const HookWatch* expected, const HookWatch* watch) noexcept {
+    return hookWatch.compare_exchange_strong(expected, watch);
+}
+
 }  // namespace RTT::internal

@@ -38,6 +38,8 @@ public:
     static const HookInProgress* innermost() noexcept { return top(); }
     /** Null, as at first, for no watch. `watch` is never destroyed. Any thread. */
     static void setWatch(const HookWatch* watch) noexcept;
+    /** The same, but only if the present watch is `expected`; false otherwise. */
+    static bool replaceWatch(const HookWatch* expected, const HookWatch* watch) noexcept;
     /** For the destructor of a component, whose name is about to go: code of this thread that is still within one of
         its hooks has the name "(destroyed)" from now on. */
     static void forget(const base::TaskCore* task) noexcept;
