@@ -16,6 +16,8 @@
 namespace oroforge::live_client {
 namespace {
 
+constexpr unsigned kBetweenInterrupts = 10000;  // microseconds
+
 bool isReadable(int descriptor) {
     pollfd one{descriptor, POLLIN, 0};
     return poll(&one, 1, 0) > 0;
@@ -30,15 +32,19 @@ public:
     bool execute(const std::string& line) {
         deployment_.connection().wakeOn({interrupts_.descriptor()});
         const long long id = deployment_.send("line", {{"line", line}});
-        bool asked = false;
+        long long interrupt = 0;  // id of the request that asks for the end of the line
         for (Json message;;) {
             // A command may last as long as it likes.
             if (deployment_.next(message, kNever) == Requests::Event::Woken) {
                 interrupts_.take();
-                if (interrupts_.mustEnd() || asked) return false;
-                deployment_.send("interrupt", Json::object());
-                asked = true;
+                if (interrupts_.mustEnd() || interrupt) return false;
+                interrupt = deployment_.send("interrupt", Json::object());
                 continue;
+            }
+            if (interrupt && Requests::answers(message, interrupt) && !truthOf(Requests::resultOf(message), "done")) {
+                // The line has not begun yet there.
+                usleep(kBetweenInterrupts);
+                interrupt = deployment_.send("interrupt", Json::object());
             }
             if (Requests::answers(message, id)) return show(Requests::resultOf(message));
         }

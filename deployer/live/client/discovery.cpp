@@ -14,7 +14,6 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
-#include <set>
 #include <utility>
 
 #include <dirent.h>
@@ -79,15 +78,10 @@ Deployment ofPath(const std::string& path) {
 
 }  // namespace
 
-std::vector<std::string> socketFolders() {
-    std::vector<std::string> folders;
-    const std::string user = std::to_string(geteuid());
+std::string socketFolder() {
     const char* const session = std::getenv("XDG_RUNTIME_DIR");
-    if (session && *session) folders.push_back(std::string(session) + "/oroforge");
-    // A deployer that was started in another way, as by cron, did not have that variable, or this program does not.
-    for (const std::string& other : {"/run/user/" + user + "/oroforge", "/tmp/oroforge-" + user})
-        if (std::find(folders.begin(), folders.end(), other) == folders.end()) folders.push_back(other);
-    return folders;
+    if (session && *session == '/') return std::string(session) + "/oroforge";
+    return "/tmp/oroforge-" + std::to_string(geteuid());
 }
 
 Deployment fromFileName(const std::string& folder, const std::string& file) {
@@ -105,19 +99,17 @@ Deployment fromFileName(const std::string& folder, const std::string& file) {
 
 std::vector<Deployment> runningDeployments() {
     std::vector<Deployment> all;
-    std::set<std::pair<dev_t, ino_t>> seen;
-    for (const std::string& folder : socketFolders()) {
-        if (!isTrusted(folder)) continue;
-        for (const std::string& file : filesOf(folder)) {
-            const Deployment one = fromFileName(folder, file);
-            struct stat found = {};
-            if (one.pid == 0 || lstat(one.socket.c_str(), &found) != 0 || !S_ISSOCK(found.st_mode)) continue;
-            // A process of another container with the same folder has no number here, but listens.
-            if (!exists(one.pid) && refusesConnections(one.socket))
-                unlink(one.socket.c_str());
-            else if (seen.insert({found.st_dev, found.st_ino}).second)
-                all.push_back(one);
-        }
+    const std::string folder = socketFolder();
+    if (!isTrusted(folder)) return all;
+    for (const std::string& file : filesOf(folder)) {
+        const Deployment one = fromFileName(folder, file);
+        struct stat found = {};
+        if (one.pid == 0 || lstat(one.socket.c_str(), &found) != 0 || !S_ISSOCK(found.st_mode)) continue;
+        // A process of another container with the same folder has no number here, but listens.
+        if (!exists(one.pid) && refusesConnections(one.socket))
+            unlink(one.socket.c_str());
+        else
+            all.push_back(one);
     }
     std::sort(all.begin(), all.end(), [](const Deployment& a, const Deployment& b) {
         return std::make_pair(a.name, a.pid) < std::make_pair(b.name, b.pid);
@@ -129,8 +121,9 @@ Deployment chosenDeployment(const std::string& wanted) {
     if (wanted.find('/') != std::string::npos) return ofPath(wanted);
     const std::vector<Deployment> all = runningDeployments();
     if (all.empty())
-        throw Failure(Status::NoDeployment,
-                      "no deployment is running; start one with 'deployer', of this user and without --no-live");
+        throw Failure(Status::NoDeployment, "no deployment is running in '" + socketFolder() +
+                                                "'; start one with 'deployer', as the same user, "
+                                                "with the same XDG_RUNTIME_DIR and without --no-live");
     std::vector<Deployment> matching;
     std::copy_if(all.begin(), all.end(), std::back_inserter(matching), [&](const Deployment& one) {
         return wanted.empty() || one.name == wanted || std::to_string(one.pid) == wanted;

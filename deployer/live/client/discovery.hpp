@@ -18,8 +18,8 @@ struct Deployment {
     std::string socket;  ///< path of the socket
 };
 
-/** Where sockets are looked for: the folder of this session and the one for sessions without XDG_RUNTIME_DIR. */
-std::vector<std::string> socketFolders();
+/** Where sockets are: the folder of this session, or one in /tmp for sessions without XDG_RUNTIME_DIR. */
+std::string socketFolder();
 
 /** Pid and name of a socket `<pid>-<name>.sock`; pid 0 if the file has another name. */
 Deployment fromFileName(const std::string& folder, const std::string& file);

@@ -36,6 +36,12 @@ private:
     std::string code_, message_;
 };
 
+/** The deployment has ended the connection. */
+class Ended : public Failure {
+public:
+    explicit Ended(const std::string& text) : Failure(Status::Refused, text) {}
+};
+
 /** Ends with that status; what was wrong has been written. */
 struct Silent {
     Status status;

@@ -26,15 +26,10 @@ void change(Session& session, const char* what) {
         session.out().line(printable(component) + "  " + session.out().paint(styleOfState(state), state));
 }
 
-/** Waits until the connection is closed, which the deployment does last. */
-void awaitEnd(Requests& deployment) {
+/** Waits for the end of the connection, which is thrown; a Failure if that does not come. */
+[[noreturn]] void awaitEnd(Requests& deployment) {
     const Deadline deadline = deadlineIn(deployment.limit());
-    for (Json message;;) {
-        try {
-            if (deployment.next(message, deadline) == Requests::Event::Time) break;
-        } catch (const Failure&) {
-            return;
-        }
+    for (Json message; deployment.next(message, deadline) != Requests::Event::Time;) {
     }
     throw Failure(Status::Refused,
                   "deployment '" + deployment.name() + "' takes longer than --timeout to end; it goes on");
@@ -50,8 +45,13 @@ void recoverComponent(Session& session) { change(session, "recover"); }
 void stopSomething(Session& session) {
     if (!session.word(0).empty()) return change(session, "stop");
     Requests& deployment = session.deployment();
-    const Json result = deployment.ask("stop");
-    awaitEnd(deployment);
+    Json result = {{"done", true}};
+    try {
+        result = deployment.ask("stop");
+        awaitEnd(deployment);
+    } catch (const Ended&) {
+        // Perhaps before its answer was sent.
+    }
     if (!session.answeredAsJson(result))
         session.out().line("deployment '" + printable(deployment.name()) + "' has ended");
 }

@@ -96,8 +96,7 @@ Requests::Event Requests::receive(Json& message, Deadline deadline) {
             case Connection::Event::Broken: throw NobodyReads();
             case Connection::Event::Closed: {
                 const std::string why = connection_->reason();
-                throw Failure(Status::Refused,
-                              where() + (why.empty() ? " has ended" : " ended the connection: " + why));
+                throw Ended(where() + (why.empty() ? " has ended" : " ended the connection: " + why));
             }
             case Connection::Event::Message: break;
         }

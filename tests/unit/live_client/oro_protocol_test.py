@@ -32,8 +32,8 @@ def port(client, request, samples=(), then=None):
 class Protocol(OroCase):
     def test_without_a_deployment_the_status_is_3(self):
         _, err = self.oro("tree", status=3)
-        self.assertEqual("oro: error: no deployment is running; start one with 'deployer', of this user and without "
-                         "--no-live\n", err)
+        self.assertEqual(f"oro: error: no deployment is running in '{self.directory}/oroforge'; start one with 'deployer', as the "
+                         "same user, with the same XDG_RUNTIME_DIR and without --no-live\n", err)
 
     def test_several_deployments_are_listed(self):
         self.fake(lambda c, r: c.answer(r, {"components": []}), name="arm")
