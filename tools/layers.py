@@ -44,6 +44,11 @@ LAYER_OF = {
     "deployer/fbsched/": "ocl",             # <fbsched/fbsched.hpp>, a kept name
     "deployer/deployment/": "deployment",
     "deployer/console/": "console",
+    # Text and files, without the runtime: what oro shows looks the same.
+    "deployer/console/table.": "console_text",
+    "deployer/console/theme.": "console_text",
+    "deployer/console/history.": "console_text",
+    "deployer/live/client/": "live_client",
     "deployer/live/door/": "live_door",
     "deployer/live/requests/": "live_requests",
     "deployer/live/samples/": "live_samples",
@@ -115,11 +120,13 @@ MAY_INCLUDE = {
     "ros": OUTER | {"encoding", "marsh", "loader", "extras", "umbrella", "typekit", "scripting", "ocl", "deployment"},
     "ocl": API | {"umbrella", "plugin", "extras", "marsh", "loader"},
     "deployment": DEPLOYER | {"corba", "cpf"},
-    "console": DEPLOYER,
+    "console": DEPLOYER | {"console_text"},
+    "console_text": set(),
+    "live_client": {"diag", "console_text"},
+    "live_requests": DEPLOYER | {"encoding", "console", "console_text"},
     "live_door": set(),                     # in every deployment: neither JSON nor Beast
     "live_samples": DEPLOYER | {"encoding"},
     "live_server": DEPLOYER | {"encoding", "live_door", "live_requests", "live_samples"},
-    "live_requests": DEPLOYER | {"encoding", "console"},
     "lua": DEPLOYER,
     "mcap": set(),
     "mcap_tool": {"diag", "mcap"},          # a program without the runtime
@@ -128,7 +135,7 @@ MAY_INCLUDE = {
     "components": DEPLOYER,
     "chain": DEPLOYER,
     "rt_check": set(),                      # preloaded: it must not bring the runtime along
-    "bin": DEPLOYER | {"deployment", "console", "lua", "reporting", "logging", "components", "chain", "rt_check", "corba", "report", "live_door"},
+    "bin": DEPLOYER | {"deployment", "console", "lua", "reporting", "logging", "components", "chain", "rt_check", "corba", "report", "live_client", "live_door", "console_text"},
     "model": {"diag"},
     "manifest": LEAFS | {"model"},
     "adapters": LEAFS,
@@ -166,7 +173,7 @@ FOREIGN = {
     r"log4cpp/": ["deployer/logging/", "deployer/ocl/", "deployer/bin/", "tests/unit/logging/", "bench/"],
     r"(zstd|lz4(frame|hc)?)\.h": ["deployer/reporting/mcap/"],
     r"netcdf(_\w+)?\.h$": ["deployer/reporting/netcdf_"],
-    r"(histedit\.h|editline/|readline/)": ["deployer/console/"],
+    r"(histedit\.h|editline/|readline/)": ["deployer/console/", "deployer/live/client/"],
     r"(ros|roscpp|tf2?|actionlib|dynamic_reconfigure)/": ["ros/", "tests/unit/ros_", "bench/ros_"],
     # Of the runtime, what stays out of components and their libraries.
     r"nlohmann/": ["runtime/report/", "runtime/rtt/encoding/", "deployer/live/", "deployer/logging/", "generator/", "typekit_gen/", "tests/"],

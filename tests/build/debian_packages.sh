@@ -41,6 +41,9 @@ expect_packaged() { # part file
   [[ $(contents "$1") == *" .$2"$'\n'* ]] || fail "no $2 in oroforge-$1"
 }
 expect_packaged runtime /usr/bin/deployer-gnulinux
+expect_packaged runtime /usr/bin/oro
+expect_packaged runtime /usr/share/man/man1/oro.1.gz
+expect_packaged runtime /usr/share/bash-completion/completions/oro
 expect_packaged runtime /etc/profile.d/oroforge.sh
 expect_packaged tools /usr/bin/typegen
 expect_packaged dev /usr/include/rtt/TaskContext.hpp

@@ -1,0 +1,202 @@
+# SPDX-License-Identifier: Apache-2.0
+# Copyright Oroforge contributors
+"""oro and a real deployer."""
+import json
+import os
+import select
+import signal
+import subprocess
+
+from oro_case import ORO, OroCase, main
+
+SCRIPT = """
+import("filling")
+loadComponent("tank", "filling::Tank")
+loadComponent("pump", "filling::Pump")
+connect("pump.flow", "tank.flow", ConnPolicy())
+setActivity("tank", 0.02, 0, ORO_SCHED_OTHER)
+tank.capacity = 1.5
+tank.configure()
+tank.start()
+"""
+
+
+class Deployed(OroCase):
+    def setUp(self):
+        super().setUp()
+        self.deployer = self.deploy(SCRIPT)
+
+    def test_list_shows_it(self):
+        out, _ = self.oro("list")
+        self.assertRegex(out, rf"Deployer  {self.deployer.pid}  \d{{4}}-\d\d-\d\d \d\d:\d\d:\d\d  2 +1 \w+, 1 \w+\n")
+        found = json.loads(self.oro("list", "--format=json")[0])[0]
+        self.assertEqual((self.deployer.pid, "gnulinux", ["app.ops"]), (found["pid"], found["target"], found["files"]))
+
+    def test_what_is_there_is_shown(self):
+        out, _ = self.oro("tree")
+        self.assertIn("tank  filling::Tank  Running  2 properties, ", out)
+        out, _ = self.oro("show", "tank")
+        self.assertIn("Component tank  filling::Tank  Running\n", out)
+        self.assertIn("    capacity  double  = 1.5      m3  What it holds.\n", out)
+        self.assertIn("    bool fill(double level)\n      Fills it up to a level. False if that is more than it holds.\n"
+                      "      level  in m3\n", out)
+        self.assertIn("in   flow   double       <- pump.flow   What comes in. [m3/s]\n", out)
+        self.assertIn("\n  Operations of every component\n", out)
+        self.assertIn("Property tank.label  string  = \"water\"\n  What is written on its side.\n", self.oro("show", "tank.label")[0])
+        self.assertEqual("1.5\n", self.oro("get", "tank.capacity")[0])
+        self.assertEqual(1.5, json.loads(self.oro("get", "tank.capacity", "--format=json")[0])["value"])
+        _, err = self.oro("get", "tank.capcity", status=1)
+        self.assertRegex(err, r"^oro: error: \[LIV\d+\] .*'capcity'.*did you mean 'capacity'\?")
+
+    def test_values_are_set_and_operations_called(self):
+        self.assertEqual("2\n", self.oro("set", "tank.capacity", "2")[0])
+        self.assertEqual("-0.5\n", self.oro("set", "tank.capacity", "-0.5")[0])
+        self.assertEqual('"salt water"\n', self.oro("set", "tank.label", "salt water")[0])
+        self.oro("set", "tank.capacity", "much", status=1)
+        self.oro("set", "tank.capacity", "1.5")
+        self.assertEqual("true\n", self.oro("call", "tank.fill", "0.75")[0])
+        self.assertEqual("false\n", self.oro("call", "tank.fill", "2.0")[0])
+        self.assertEqual("", self.oro("call", "tank.empty")[0])
+        self.oro("call", "tank.fill", status=1)
+        self.oro("call", "tank.fill", "full", status=1)
+
+    def test_states_change(self):
+        self.assertEqual("tank  Stopped\n", self.oro("stop", "tank")[0])
+        self.assertEqual("tank  PreOperational\n", self.oro("cleanup", "tank")[0])
+        self.assertIn("component 'tank' refuses to start; it is PreOperational", self.oro("start", "tank", status=1)[1])
+        self.assertEqual("tank  Stopped\n", self.oro("configure", "tank")[0])
+        self.assertEqual("tank  Running\n", self.oro("start", "tank")[0])
+        self.oro("start", "tnak", status=1)
+
+    def test_samples_come(self):
+        process = self.start_oro("echo", "tank.level")
+        self.assertEqual("0\n", process.stdout.readline())
+        self.oro("call", "tank.fill", "0.75")
+        self.assertEqual("0.75\n", process.stdout.readline())
+        process.send_signal(signal.SIGINT)
+        self.assertEqual((0, ""), (process.wait(10), process.stderr.read()))
+        _, err = self.oro("echo", "tank.levle", status=1)
+        self.assertIn("did you mean 'level'?", err)
+        self.oro("echo", "tank.capacity", status=1)
+        self.oro("echo", "tank", status=1)
+
+    def test_a_deployment_that_is_killed_is_an_error_and_is_not_listed(self):
+        process = self.start_oro("echo", "tank.level")
+        process.stdout.readline()
+        self.deployer.kill()
+        self.deployer.wait()
+        self.assertEqual(1, process.wait(10))
+        self.assertEqual(f"oro: error: deployment 'Deployer' (pid {self.deployer.pid}) has ended\n", process.stderr.read())
+        self.assertEqual("", self.oro("list")[0])
+        self.assertEqual([], list((self.directory / "oroforge").iterdir()))
+
+    def test_a_stopped_process_is_reported_and_others_are_listed(self):
+        self.fake(lambda c, r: c.answer(r, {"components": []}), name="other")
+        self.deployer.send_signal(signal.SIGSTOP)
+        try:
+            out, _ = self.oro("list")
+            self.assertRegex(out, rf"Deployer  {self.deployer.pid} +stopped process\n")
+            self.assertRegex(out, rf"other  +{os.getpid()} +0")
+            _, err = self.oro("get", "tank.capacity", "-d", "Deployer", "--timeout", "0.3", status=1)
+            self.assertIn(f"'kill -CONT {self.deployer.pid}' lets it go on", err)
+        finally:
+            self.deployer.send_signal(signal.SIGCONT)
+        self.assertEqual("1.5\n", self.oro("get", "tank.capacity", "-d", "Deployer")[0])
+
+    def test_connections_and_times(self):
+        self.assertIn("pump.flow  ->  tank.flow  double  data", self.oro("graph")[0])
+        out, _ = self.oro("graph", "--dot")
+        self.assertRegex(out, r'"pump" -> "tank" \[taillabel="flow", headlabel="flow"')
+        self.assertRegex(self.oro("top", "--interval", "0.2")[0], r"(?m)^tank +Running +20 ms ")
+
+    def test_top_is_drawn_again_until_ctrl_c(self):
+        program = self.open_oro("top", "--interval", "0.1")
+        program.wait(lambda: program.written.count("COMPONENT") > 2, "the next picture")
+        self.assertEqual(1, program.screen().count("COMPONENT"))
+        program.send("\x03")
+        self.assertEqual(0, program.end())
+
+    def test_the_log_is_followed(self):
+        process = self.start_oro("log", "-f", "--level", "Info")
+        # The first of these lines may come before it follows.
+        self.wait(lambda: self.oro("set", "tank.capacity", "2") and select.select([process.stdout], [], [], 0.1)[0], "a line")
+        self.assertRegex(process.stdout.readline(), r"^\d\d:\d\d:\d\d\.\d{3}  Info      .*tank.capacity")
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(0, process.wait(10))
+
+    def test_lines_of_the_console(self):
+        out, err = self.oro("console", text="tank.capacity\ncd tank\nlabel\ncapasity\n1 + 1\n", status=1)
+        self.assertEqual(' = 1.5\n = "water"\n = 2\n', out)
+        self.assertIn("did you mean 'capacity'?", err)
+        self.assertEqual((" = 2\n", ""), self.oro("console", text="1 + 1\nquit\n3\n"))
+
+    def test_the_console_on_a_terminal(self):
+        program = self.open_oro("console", NO_COLOR="1")
+        prompt = "Deployer [S]> "
+        program.wait_for_prompt(prompt)
+        self.assertEqual(" = 1.5", program.type("tank.capacity", prompt))
+        program.send("tank.cap\t\r")
+        program.wait_for("> tank.capacity\n = 1.5\nDeployer")
+        program.send("forgotten\x03")
+        program.wait_for("forgotten^C")
+        self.assertEqual(" = 3", program.type("1 + 2", prompt))
+        program.send("while true { }\r")
+        program.wait(lambda: "while true { }\n" in program.screen(), "the execution")
+        self.wait(lambda: self.interrupted(program), "the end of the loop")
+        program.send("cd tank\r")
+        program.wait_for_prompt("tank [R]> ")
+        program.send("\x04")
+        self.assertEqual(0, program.end())
+        self.assertIn("tank.capacity", (self.directory / ".oro_history").read_text())
+        self.oro("get", "tank.capacity")
+
+    def interrupted(self, program):
+        program.send("\x03")
+        program.read(0.3)
+        return "interrupted" in program.screen()
+
+    def test_the_console_ends_with_the_deployment(self):
+        program = self.open_oro("console", NO_COLOR="1")
+        program.wait_for_prompt("Deployer [S]> ")
+        program.send("half a li")
+        self.deployer.kill()
+        program.wait_for("has ended")
+        self.assertEqual(1, program.end())
+
+    def test_stop_ends_the_deployment(self):
+        out, _ = self.oro("stop", "--timeout", "15")
+        self.assertEqual("deployment 'Deployer' has ended\n", out)
+        self.deployer.wait(15)
+        self.assertIn("no deployment", self.oro("list")[1])
+
+    def test_shells_complete_names(self):
+        def words(*typed):
+            return [line.split("\t")[0] for line in self.oro("__complete", *typed)[0].splitlines()]
+        self.assertEqual(["tank"], words("start", "ta"))
+        self.assertEqual(["tank."], words("get", "ta"))
+        self.assertEqual(["tank.capacity"], words("get", "tank.ca"))
+        self.assertEqual(["tank.level"], words("echo", "tank."))
+        self.assertEqual(["tank.fill"], words("-d", "Deployer", "call", "tank.f"))
+        self.assertEqual([], words("-d", "nobody", "call", "tank.f"))
+        self.assertEqual(["Deployer"], words("-d", ""))
+        script = f'eval "$({ORO} completion bash)"; oro() {{ {ORO} "$@"; }}; COMP_WORDS=(oro echo tank.le); COMP_CWORD=2; _oro; ' \
+                 'echo "${COMPREPLY[*]}"'
+        shell = subprocess.run(["bash", "-c", script], env=self.own(), text=True, capture_output=True, timeout=10, check=True)
+        self.assertEqual("tank.level\n", shell.stdout)
+
+
+class OnTheNetwork(OroCase):
+    def test_an_address_with_its_token(self):
+        self.deploy(SCRIPT, "--web=127.0.0.1:0")
+        url = next(line for line in self.said if "token=" in line).split()[-1]
+        self.assertIn("tank", self.oro("tree", "--url", url)[0])
+        bare, token = url.split("?token=")
+        self.assertIn("tank", self.oro("tree", "--url", bare, ORO_TOKEN=token)[0])
+        _, err = self.oro("tree", "--url", bare, status=1)
+        self.assertIn("refuses the connection (HTTP 401); give the token", err)
+        self.oro("set", "tank.capacity", "3", "--url", url, status=1)
+        self.oro("tree", "--url", url, "-d", "Deployer", status=2)
+        self.oro("tree", "--url", "ws://127.0.0.1:1", status=3)
+
+
+main()
