@@ -124,7 +124,7 @@ MAY_INCLUDE = {
     "console_text": set(),
     "live_client": {"diag", "console_text"},
     "live_requests": DEPLOYER | {"encoding", "console", "console_text"},
-    "live_door": set(),                     # in every deployment: neither JSON nor Beast
+    "live_door": {"os"},                    # in every deployment: neither JSON nor Beast
     "live_samples": DEPLOYER | {"encoding"},
     "live_server": DEPLOYER | {"encoding", "live_door", "live_requests", "live_samples"},
     "lua": DEPLOYER,

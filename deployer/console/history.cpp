@@ -2,8 +2,6 @@
 // Copyright Oroforge contributors
 #include "history.hpp"
 
-#include <rtt/os/descriptor.hpp>
-
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -49,8 +47,11 @@ History::History(std::string file) : file_(std::move(file)) {
 
 std::string History::problem() const {
     if (file_.empty()) return {};
-    const RTT::os::detail::Descriptor found(open(file_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
-    if (found) return {};
+    const int found = open(file_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+    if (found >= 0) {
+        close(found);
+        return {};
+    }
     const std::string folder = std::filesystem::path(file_).parent_path().string();
     if (errno == ENOENT && access(folder.empty() ? "." : folder.c_str(), W_OK) == 0) return {};
     return file_ + ": what is typed is not kept: " + std::strerror(errno);

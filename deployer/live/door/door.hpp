@@ -3,7 +3,6 @@
 #ifndef OROFORGE_LIVE_DOOR_HPP
 #define OROFORGE_LIVE_DOOR_HPP
 
-#include "descriptor.hpp"
 #include "socket_folder.hpp"
 
 #include <functional>

@@ -3,11 +3,13 @@
 #ifndef OROFORGE_LIVE_SOCKET_FOLDER_HPP
 #define OROFORGE_LIVE_SOCKET_FOLDER_HPP
 
-#include "descriptor.hpp"
+#include <rtt/os/descriptor.hpp>
 
 #include <string>
 
 namespace OCL::live {
+
+using RTT::os::detail::Descriptor;
 
 /** The folder with the sockets of the deployments of this user. */
 class SocketFolder {

@@ -2,7 +2,7 @@
 // Copyright Oroforge contributors
 #include "token.hpp"
 
-#include "descriptor.hpp"
+#include <rtt/os/descriptor.hpp>
 
 #include <cerrno>
 #include <cstring>
@@ -12,6 +12,8 @@
 #include <sys/stat.h>
 
 namespace OCL::live {
+
+using RTT::os::detail::Descriptor;
 namespace {
 
 constexpr std::size_t kBytes = 16, kShortest = 16, kLongest = 256;

@@ -3,11 +3,13 @@
 #ifndef OROFORGE_LIVE_WEB_ADDRESS_HPP
 #define OROFORGE_LIVE_WEB_ADDRESS_HPP
 
-#include "descriptor.hpp"
+#include <rtt/os/descriptor.hpp>
 
 #include <string>
 
 namespace OCL::live {
+
+using RTT::os::detail::Descriptor;
 
 /** Where a web server listens. */
 struct WebAddress {
