@@ -73,6 +73,7 @@ public:
     }
 
     Words complete(const std::string& line) {
+        deployment_.connection().wakeOn({interrupts_.descriptor()});  // keys that follow must not end it
         const Json found = deployment_.ask("complete", {{"line", line}});
         Words words;
         words.more = printable(textOf(found, "more"));
