@@ -17,6 +17,7 @@ namespace oroforge::live_client {
 namespace {
 
 constexpr unsigned kBetweenInterrupts = 10000;  // microseconds
+constexpr std::chrono::milliseconds kPatience{1000};
 
 bool isReadable(int descriptor) {
     pollfd one{descriptor, POLLIN, 0};
@@ -33,12 +34,23 @@ public:
         deployment_.connection().wakeOn({interrupts_.descriptor()});
         const long long id = deployment_.send("line", {{"line", line}});
         long long interrupt = 0;  // id of the request that asks for the end of the line
+        bool mayLeave = false;    // the line was not stopped in time
+        Deadline patient = kNever;
         for (Json message;;) {
             // A command may last as long as it likes.
-            if (deployment_.next(message, kNever) == Requests::Event::Woken) {
+            const auto event = deployment_.next(message, patient);
+            if (event == Requests::Event::Time) {
+                remark("the line goes on, in code that the console cannot stop; Ctrl-C again leaves it alone");
+                mayLeave = true;
+                patient = kNever;
+                continue;
+            }
+            if (event == Requests::Event::Woken) {
                 interrupts_.take();
-                if (interrupts_.mustEnd() || interrupt) return false;
+                if (interrupts_.mustEnd() || mayLeave) return false;
+                if (interrupt) continue;
                 interrupt = deployment_.send("interrupt", Json::object());
+                patient = deadlineIn(kPatience);
                 continue;
             }
             if (interrupt && Requests::answers(message, interrupt) && !truthOf(Requests::resultOf(message), "done")) {
@@ -61,6 +73,7 @@ public:
     }
 
     Words complete(const std::string& line) {
+        deployment_.connection().wakeOn({interrupts_.descriptor()});  // keys that follow must not end it
         const Json found = deployment_.ask("complete", {{"line", line}});
         Words words;
         words.more = printable(textOf(found, "more"));

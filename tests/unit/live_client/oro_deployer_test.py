@@ -120,7 +120,11 @@ class Deployed(OroCase):
         process = self.start_oro("log", "-f", "--level", "Info")
         # The first of these lines may come before it follows.
         self.wait(lambda: self.oro("set", "tank.capacity", "2") and select.select([process.stdout], [], [], 0.1)[0], "a line")
-        self.assertRegex(process.stdout.readline(), r"^\d\d:\d\d:\d\d\.\d{3}  Info      .*tank.capacity")
+        line = process.stdout.readline()
+        while "tank.capacity" not in line:
+            self.assertTrue(line, "the log has ended")
+            line = process.stdout.readline()
+        self.assertRegex(line, r"^\d\d:\d\d:\d\d\.\d{3}  Info      ")
         process.send_signal(signal.SIGINT)
         self.assertEqual(0, process.wait(10))
 
@@ -136,9 +140,11 @@ class Deployed(OroCase):
         program.wait_for_prompt(prompt)
         self.assertEqual(" = 1.5", program.type("tank.capacity", prompt))
         program.send("tank.cap\t\r")
-        program.wait_for("> tank.capacity\n = 1.5\nDeployer")
+        program.wait(lambda: program.screen().count("> tank.capacity\n = 1.5\nDeployer") == 2, "the completed line")
+        program.wait_for_prompt(prompt)
         program.send("forgotten\x03")
         program.wait_for("forgotten^C")
+        program.wait_for_prompt(prompt)
         self.assertEqual(" = 3", program.type("1 + 2", prompt))
         program.send("while true { }\r")
         program.wait(lambda: "while true { }\n" in program.screen(), "the execution")
