@@ -32,7 +32,7 @@ TEST_F(RequestsTest, TheTreeHasComponentsAndTheirServices) {
     EXPECT_EQ("live_test::Arm", node["type"]);
     EXPECT_EQ("Stopped", node["state"]);
     EXPECT_EQ("gripper", named(node["services"], "gripper").value("name", ""));
-    EXPECT_EQ(5, node["counts"]["properties"]);
+    EXPECT_EQ(6, node["counts"]["properties"]);
     EXPECT_EQ(2, node["counts"]["ports"]);
 }
 
