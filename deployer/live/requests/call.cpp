@@ -167,7 +167,7 @@ json call(const Asked& asked) {
             // The component must exist while its code runs in this thread.
             if (!call->gate) call->execute();
         }
-        if (call->gate) inThreadOf(call->gate, call->component, asked.deadline, [call] { call->execute(); });
+        if (call->gate) inThreadOf(call->gate, call->component, asked.limit, [call] { call->execute(); });
     } catch (const Failure&) {
         throw;
     } catch (const std::exception& thrown) {

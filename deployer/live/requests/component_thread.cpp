@@ -94,8 +94,7 @@ bool executedHere(const EngineGate& gate, const std::string& name, const std::fu
 
 }  // namespace
 
-void inThreadOf(const Gate& gate, const std::string& name, std::int64_t deadline, std::function<void()> work) {
-    const std::int64_t begin = rtos_get_time_ns();
+void inThreadOf(const Gate& gate, const std::string& name, const Limit& limit, std::function<void()> work) {
     if (executedHere(*gate, name, work)) return;
     const boost::intrusive_ptr<Message> message(new Message(std::move(work)));
     message->ref();  // for the queue
@@ -106,16 +105,14 @@ void inThreadOf(const Gate& gate, const std::string& name, std::int64_t deadline
                                                   "' takes no messages: its queue is full, or it is "
                                                   "in FatalError");
     }
-    switch (message->wait(deadline)) {
+    switch (message->wait(limit.deadline)) {
         case Message::Done: return message->rethrow();
         case Message::Disposed: throw Failure(kGone, "component '" + name + "' was destroyed");
         case Message::Begun:
-            throw Failure(kNoAnswer, "component '" + name + "' did not end this within " +
-                                         secondsText(static_cast<double>(deadline - begin) * 1e-9) +
+            throw Failure(kNoAnswer, "component '" + name + "' did not end this within " + secondsText(limit.seconds) +
                                          "; it is still executing it");
         default:
-            throw Failure(kNoAnswer, "component '" + name + "' did not answer within " +
-                                         secondsText(static_cast<double>(deadline - begin) * 1e-9) +
+            throw Failure(kNoAnswer, "component '" + name + "' did not answer within " + secondsText(limit.seconds) +
                                          "; this will not be done");
     }
 }

@@ -13,16 +13,21 @@ namespace OCL::live {
 
 typedef boost::intrusive_ptr<const RTT::internal::EngineGate> Gate;
 
+struct Limit {
+    std::int64_t deadline;  ///< monotonic, in ns
+    double seconds;         ///< what the client asked for, for messages
+};
+
 /**
  * Executes `work` in the thread of a component, between two of its steps, and waits for the end. This thread executes
  * it if no other one executes the component: if its activity is not active, or is a slave or sequential. What `work`
  * throws, this throws. Throws Failure, naming the component `name`, if it is gone, takes no messages, or has not
- * ended the work at the monotonic time `deadline` (ns); what was not begun by then will not be.
+ * ended the work at the limit; what was not begun by then will not be.
  *
  * The thread of the component allocates nothing for this and wakes the waiting thread with one system call. The caller
  * must not visit the component, and `work` must own what it uses.
  */
-void inThreadOf(const Gate& gate, const std::string& name, std::int64_t deadline, std::function<void()> work);
+void inThreadOf(const Gate& gate, const std::string& name, const Limit& limit, std::function<void()> work);
 
 /** The monotonic time in so many seconds, in ns. */
 std::int64_t deadlineIn(double seconds);

@@ -77,22 +77,22 @@ FoundValue findValue(const Asked& asked, const std::string& path) {
     return made;
 }
 
-void fill(const Gate& gate, const std::string& component, std::int64_t deadline,
+void fill(const Gate& gate, const std::string& component, const Limit& limit,
           const std::vector<std::shared_ptr<Copied>>& copies) {
     if (copies.empty()) return;
     const auto work = [copies] {
         for (const auto& each : copies) each->fill();
     };
     if (gate)
-        inThreadOf(gate, component, deadline, work);
+        inThreadOf(gate, component, limit, work);
     else
         work();
 }
 
-Source read(const FoundValue& found, std::int64_t deadline) {
+Source read(const FoundValue& found, const Limit& limit) {
     if (!found.original) return found.sample;
     const auto copied = std::make_shared<Copied>(found.original);
-    fill(found.gate, found.component, deadline, {copied});
+    fill(found.gate, found.component, limit, {copied});
     if (!copied->value())
         throw Failure(kNoForm, "values of type " + typeOf(found.original) + " cannot be copied, so '" + found.whole +
                                    "' cannot be read from outside");
@@ -126,7 +126,7 @@ json described(const FoundValue& found, const Source& whole) {
 
 json get(const Asked& asked) {
     const FoundValue found = findValue(asked, asked.request.at("path"));
-    return described(found, read(found, asked.deadline));
+    return described(found, read(found, asked.limit));
 }
 
 }  // namespace OCL::live

@@ -26,9 +26,9 @@ struct FoundValue {
 /** Throws Failure if the path leads to something else. */
 FoundValue findValue(const Asked& asked, const std::string& path);
 /** Reads it: a copy of the property, or the sample. Null if the port has none. */
-Source read(const FoundValue& found, std::int64_t deadline);
+Source read(const FoundValue& found, const Limit& limit);
 /** Fills the copies in the thread of the component. A null gate is the process, whose values this thread may read. */
-void fill(const Gate& gate, const std::string& component, std::int64_t deadline,
+void fill(const Gate& gate, const std::string& component, const Limit& limit,
           const std::vector<std::shared_ptr<Copied>>& copies);
 /** The answer to `get`: the value of a part of `whole`, with what is known of it. */
 nlohmann::json described(const FoundValue& found, const Source& whole);

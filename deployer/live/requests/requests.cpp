@@ -179,8 +179,8 @@ void Requests::State::dispatch(const std::shared_ptr<Ticket>& ticket) {
     if (verb.right && !(rights.*verb.right)) refuse(op, wordOf(verb.right));
     if (verb.needsPath) (void)textField(request, "path");
     const double seconds = secondsField(request, "timeout", verb.seconds);
-    const auto run = [from = root, ticket, function = verb.function](std::int64_t deadline) {
-        return function({from, ticket->request(), ticket->caller(), deadline});
+    const auto run = [from = root, ticket, seconds, function = verb.function](std::int64_t deadline) {
+        return function({from, ticket->request(), ticket->caller(), {deadline, seconds}});
     };
     workers.add({ticket, run, deadlineIn(seconds), "'" + op + "' was not done within " + secondsText(seconds)});
 }

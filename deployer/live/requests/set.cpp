@@ -47,7 +47,7 @@ json set(const Asked& asked) {
                                       ", expected either 'value' (JSON) or 'text'");
     const FoundValue found = findValue(asked, textField(asked.request, "path"));
     checkWritable(found);
-    const Source whole = read(found, asked.deadline);
+    const Source whole = read(found, asked.limit);
     const Source part = partOf(whole, found.parts, found.whole);
     const std::string before = textOf(part, kLogged);
     if (asText)
@@ -60,7 +60,7 @@ json set(const Asked& asked) {
         after->fill();
     };
     if (found.gate)
-        inThreadOf(found.gate, found.component, asked.deadline, work);
+        inThreadOf(found.gate, found.component, asked.limit, work);
     else
         work();
     json made = described(found, after->value());

@@ -115,13 +115,13 @@ void addInterface(Shown& to, RTT::Service& service, const KnownPorts& known) {
 }
 
 /** The values, from the thread of the component; without them, and with the reason, if that does not answer. */
-void addValues(Shown& to, std::int64_t deadline) {
+void addValues(Shown& to, const Limit& limit) {
     std::vector<std::shared_ptr<Copied>> all = to.properties;
     all.insert(all.end(), to.attributes.begin(), to.attributes.end());
     try {
         // In time to answer without them.
         const std::int64_t now = rtos_get_time_ns();
-        fill(to.gate, to.component, now + (deadline - now) * 3 / 4, all);
+        fill(to.gate, to.component, {now + (limit.deadline - now) * 3 / 4, limit.seconds}, all);
     } catch (const Failure& failure) {
         to.made["missing"] = failure.what();
         return;
@@ -208,9 +208,9 @@ json show(const Asked& asked) {
     }
     if (shown.made.is_null()) {
         const FoundValue found = findValue(asked, path);
-        return described(found, read(found, asked.deadline));
+        return described(found, read(found, asked.limit));
     }
-    addValues(shown, asked.deadline);
+    addValues(shown, asked.limit);
     return std::move(shown.made);
 }
 

@@ -13,6 +13,7 @@
 #include <rtt/Property.hpp>
 #include <rtt/PropertyBag.hpp>
 #include <rtt/encoding/Json.hpp>
+#include <rtt/encoding/Plan.hpp>
 #include <rtt/internal/DataSource.hpp>
 #include <rtt/internal/DataSources.hpp>
 #include <rtt/rt_string.hpp>
@@ -29,14 +30,17 @@ namespace {
 using nlohmann::json;
 using RTT::PropertyBag;
 using RTT::encoding::Json;
+using RTT::encoding::Plan;
 using RTT::internal::DataSource;
 using RTT::types::TypeInfo;
 
 constexpr unsigned kDeepestBag = 32;
+constexpr std::size_t kBytesPerLetter = 4;  // no value has more bytes: a number of 8 has a digit and a comma
 
 struct Form {
     std::shared_ptr<const Json> json;
-    std::string why;  ///< there is none
+    std::shared_ptr<const Plan> plan;  ///< for the size
+    std::string why;                   ///< there is none
 };
 
 /** Made once for each type. */
@@ -48,6 +52,8 @@ Form formOf(const TypeInfo& type) {
     if (known != all->end()) return known->second;
     Form made;
     made.json = Json::make(type, made.why);
+    std::string ignored;
+    made.plan = Plan::make(type, RTT::encoding::cdrRules(), ignored);
     // A typekit that is loaded later may bring what is missing.
     if (made.json) all->emplace(&type, made);
     return made;
@@ -156,8 +162,10 @@ json jsonOf(const Source& value, std::size_t most, bool& wasCut) {
     const void* const address = value->getRawConstPointer();
     const Form form = formOf(*value->getTypeInfo());
     if (!form.json || !address) return nullptr;
-    const std::string text = form.json->text(address);
-    if (text.size() > most) {
+    // Text that would be too long need not be made.
+    const bool isLarge = form.plan && form.plan->sizeOf(address) / kBytesPerLetter > most;
+    const std::string text = isLarge ? "" : form.json->text(address);
+    if (isLarge || text.size() > most) {
         wasCut = true;
         return nullptr;
     }

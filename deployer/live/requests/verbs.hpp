@@ -7,15 +7,13 @@
 #include "lookup.hpp"
 #include "requests.hpp"
 
-#include <cstdint>
-
 namespace OCL::live {
 
 struct Asked {
     const Root& root;
     const nlohmann::json& request;
     const Caller& caller;
-    std::int64_t deadline;  ///< monotonic, in ns
+    Limit limit;
 };
 
 nlohmann::json tree(const Asked& asked);

@@ -26,7 +26,7 @@ constexpr unsigned kRequestsOfOne = 256;
 constexpr std::chrono::seconds kIdle(5);
 
 // Threads answer in time if they can, so the clock waits a little longer.
-constexpr std::int64_t kGrace = 50000000;
+constexpr std::int64_t kGrace = 200000000;
 
 /** False if the system refuses a thread. */
 template <class Function>

@@ -33,6 +33,24 @@ TEST_F(RequestsTest, AValueIsSetAsJsonAndAsText) {
     EXPECT_EQ(1, arm->force);
 }
 
+TEST_F(RequestsTest, AFieldOfAStructIsReadAndSet) {
+    EXPECT_EQ(12, result("get", {{"path", "Arm.policy.size"}})["value"]);
+    const json whole = result("get", {{"path", "Arm.policy"}});
+    EXPECT_EQ(12, whole["value"]["size"]);
+    EXPECT_EQ(20, result("set", {{"path", "Arm.policy.size"}, {"value", 20}})["value"]);
+    EXPECT_EQ(20, arm->policy.size);
+    (void)result("set", {{"path", "Arm.policy"}, {"text", "{size = 5, name_id = \"topic\"}"}});
+    EXPECT_EQ(5, arm->policy.size);
+    EXPECT_EQ("topic", arm->policy.name_id);
+    EXPECT_EQ(RTT::ConnPolicy::BUFFER, arm->policy.type);
+    // What the console shows can be given back.
+    (void)result("set", {{"path", "Arm.policy"}, {"text", whole["text"]}});
+    EXPECT_EQ(12, arm->policy.size);
+    EXPECT_THAT(failure("get", {{"path", "Arm.policy.siz"}}),
+                StartsWith("LIV003: 'Arm.policy', of type ConnPolicy, has no field 'siz'; did you mean 'size'?"));
+    EXPECT_THAT(failure("set", {{"path", "Arm.policy"}, {"value", {{"size", "a"}}}}), HasSubstr("Arm.policy: size: "));
+}
+
 TEST_F(RequestsTest, ABagOfPropertiesIsSetInPartsAndAsAWhole) {
     EXPECT_EQ(2, result("set", {{"path", "Arm.pid.p"}, {"value", 2}})["value"]);
     EXPECT_EQ(2, arm->bag.getPropertyType<double>("p")->rvalue());

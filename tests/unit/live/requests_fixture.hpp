@@ -45,6 +45,7 @@ public:
         addProperty("label", label).doc("Its label");
         addProperty("list", list);
         addProperty("flag", flag);
+        addProperty("policy", policy);
         addAttribute("count", count);
         addConstant("limit", limit);
         ports()->addPort("out", out).doc("What it says");
@@ -92,6 +93,7 @@ public:
     std::vector<double> list = {1, 2, 3};
     bool flag = false, refusesStart = false;
     int count = 4, limit = 9;
+    RTT::ConnPolicy policy = RTT::ConnPolicy::buffer(12);
     RTT::PropertyBag bag;
     RTT::OutputPort<double> out;
     RTT::InputPort<double> in;

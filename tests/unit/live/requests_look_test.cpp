@@ -32,7 +32,7 @@ TEST_F(RequestsTest, TheTreeHasComponentsAndTheirServices) {
     EXPECT_EQ("live_test::Arm", node["type"]);
     EXPECT_EQ("Stopped", node["state"]);
     EXPECT_EQ("gripper", named(node["services"], "gripper").value("name", ""));
-    EXPECT_EQ(5, node["counts"]["properties"]);
+    EXPECT_EQ(6, node["counts"]["properties"]);
     EXPECT_EQ(2, node["counts"]["ports"]);
 }
 
@@ -163,10 +163,22 @@ TEST_F(RequestsTest, EveryFieldOfEveryVerbMayBeNonsense) {
                                       std::string(70000, 'x'),
                                       std::string(5000, '{'),
                                       std::string(5000, '[')};
-    for (const char* const verb : {"hello", "tree", "show", "get", "set", "call", "lifecycle", "describe", "graph",
-                                   "line", "complete", "interrupt", "unknown", ""})
-        for (const char* const field :
-             {"path", "value", "text", "arguments", "component", "do", "type", "line", "timeout"})
+    const std::vector<std::pair<const char*, std::vector<const char*>>> verbs = {{"hello", {"path"}},
+                                                                                 {"tree", {"path"}},
+                                                                                 {"show", {"path", "timeout"}},
+                                                                                 {"get", {"path"}},
+                                                                                 {"set", {"path", "value", "text"}},
+                                                                                 {"call", {"path", "arguments"}},
+                                                                                 {"lifecycle", {"component", "do"}},
+                                                                                 {"describe", {"type"}},
+                                                                                 {"graph", {"path"}},
+                                                                                 {"line", {"line"}},
+                                                                                 {"complete", {"line"}},
+                                                                                 {"interrupt", {"line"}},
+                                                                                 {"unknown", {"path"}},
+                                                                                 {"", {"path"}}};
+    for (const auto& [verb, fields] : verbs)
+        for (const char* const field : fields)
             for (const json& value : values) {
                 json request = {{"op", std::string("oro.") + verb},
                                 {"id", value},
