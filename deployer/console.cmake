@@ -16,11 +16,13 @@ add_library(orocos-ocl-taskbrowser SHARED
   console/interface_text.cpp
   console/interrupts.cpp
   console/kept_terminal.cpp
+  console/known_ports.cpp
   console/line_editor.cpp
   console/line_source.cpp
   console/listing.cpp
   console/output_above.cpp
   console/place.cpp
+  console/port_probe.cpp
   console/port_table.cpp
   console/program_listing.cpp
   console/screen.cpp
@@ -28,9 +30,12 @@ add_library(orocos-ocl-taskbrowser SHARED
   console/table.cpp
   console/terminal_signals.cpp
   console/theme.cpp
+  console/value_lines.cpp
   console/value_table.cpp
   console/value_text.cpp
-  console/watch.cpp)
+  console/visits.cpp
+  console/watch.cpp
+  console/watch_commands.cpp)
 target_include_directories(orocos-ocl-taskbrowser PUBLIC
   $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}>
   $<INSTALL_INTERFACE:include> $<INSTALL_INTERFACE:include/orocos>)

@@ -4,6 +4,7 @@
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 
+find_package(Threads REQUIRED)
 add_library(oroforge_live_client STATIC
   console/history.cpp
   console/table.cpp

@@ -24,10 +24,14 @@
 namespace OCL {
 namespace {
 
+bool isDumb() {
+    const char* const terminal = std::getenv("TERM");
+    return !terminal || std::strcmp(terminal, "dumb") == 0;
+}
+
 bool wantsColors() {
     const char* const none = std::getenv("NO_COLOR");
-    const char* const terminal = std::getenv("TERM");
-    return TaskBrowser::onTerminal() && !(none && *none) && terminal && std::strcmp(terminal, "dumb") != 0;
+    return TaskBrowser::onTerminal() && !(none && *none) && !isDumb();
 }
 
 void greet() {
@@ -63,6 +67,8 @@ TaskBrowser::TaskBrowser(RTT::TaskContext* component)
     if (onTerminal()) {
         impl_->console.screen().width = &console::widthOfTerminal;
         impl_->console.screen().cutsTables = true;
+        impl_->console.screen().live = true;
+        impl_->console.screen().erases = !isDumb();
     }
     setColorTheme(wantsColors() ? darkbg : nocolors);
 }

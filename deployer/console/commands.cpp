@@ -29,6 +29,13 @@ void ConsoleState::goTo(bool watching) {
         screen.err << "port '" << port << "' of component '" << component->getName() << "' cannot be watched\n";
 }
 
+std::vector<Gate> ConsoleState::around() const {
+    std::vector<Gate> gates = place.roots();
+    gates.push_back(self.engine()->gate());
+    if (const RTT::TaskContext* const component = place.component()) gates.push_back(component->engine()->gate());
+    return gates;
+}
+
 void complainOf(ConsoleState& state, const Input& input, std::size_t at, const ResolvedName& lookup) {
     complain(state.screen, input, at + lookup.wrongAt,
              lookup.wrong.empty()
@@ -63,7 +70,8 @@ bool helpForMember(ConsoleState& state, const std::string& path) {
         describeOperation(state.screen, service, name, "");
         return true;
     }
-    if (describePort(state.screen, service, name, path) || describeValue(state.screen, service, name)) return true;
+    if (describePort(state.screen, service, name, path, state.around()) || describeValue(state.screen, service, name))
+        return true;
     const auto global = RTT::internal::GlobalService::Instance();
     if (!before.empty() || !global->hasMember(name)) return false;
     describeOperation(state.screen, *global, name, "");
@@ -86,7 +94,7 @@ void help(ConsoleState& state, const Input& input) {
     const Word word = {withoutLastDot(input.words[1].text), input.words[1].begin};
     if (helpForCommand(state, word.text) || helpForMember(state, word.text)) return;
     ResolvedName lookup = RTT::internal::resolve(*state.context(), word.text);
-    if (lookup.target.service) return describeInterface(state.screen, lookup.target);
+    if (lookup.target.service) return describeInterface(state.screen, lookup.target, state.around());
     if (describeType(state.screen, word.text)) return;
     const std::string before = word.text.substr(0, lookup.wrongAt ? lookup.wrongAt - 1 : 0);
     const ResolvedName owner = RTT::internal::resolve(*state.context(), before);
@@ -105,7 +113,7 @@ void ls(ConsoleState& state, const Input& input) {
     if (isGlobals(path.text)) return describeGlobals(state.screen);
     const ResolvedName lookup = RTT::internal::resolve(*state.context(), path.text);
     if (!lookup.target.service) return complainOf(state, input, path.begin, lookup);
-    list(state.screen, lookup.target);
+    list(state.screen, lookup.target, state.around());
 }
 
 void peers(ConsoleState& state, const Input&) {

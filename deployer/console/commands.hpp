@@ -35,6 +35,15 @@ void execute(const Command& command, ConsoleState& state, const Input& input);
 /** The text of `help`. */
 void writeHelp(Screen& screen);
 
+/** The port at the path that the word is; null, with an error, if there is none. */
+RTT::base::PortInterface* findPort(ConsoleState& state, const Input& input, const Word& word);
+/** Prints an error and returns false if the command has too few words. */
+bool hasWords(ConsoleState& state, const Input& input, std::size_t count, const char* expected);
+
+// `.watch` and `.hz`.
+void watchPort(ConsoleState& state, const Input& input);
+void showRate(ConsoleState& state, const Input& input);
+
 /** Prints an error for a path that leads nowhere and begins at `at` in the line. */
 void complainOf(ConsoleState& state, const Input& input, std::size_t at, const ResolvedName& lookup);
 

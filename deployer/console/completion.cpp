@@ -79,16 +79,29 @@ Words typesBehind(const std::string& path) {
     return words;
 }
 
+/** What may follow an operation: ways to call it, or parts of its result if it takes no arguments, as in `port.last.x`;
+    `rest` is the path after its name. */
+Words behindOperation(RTT::Service& service, const std::string& name, const std::string& rest) {
+    Words words;
+    if (rest.empty()) words = {"call", "cmd", "send"};
+    const RTT::types::TypeInfo* const type =
+        service.getArity(name) == 0 ? RTT::types::Types()->type(service.getResultType(name)) : nullptr;
+    auto value = type ? type->buildValue() : nullptr;
+    if (value && !rest.empty()) value = value->getMember(rest.substr(1));
+    if (value) add(words, value->getMemberNames());
+    return words;
+}
+
 /** What may follow the name of a value, an operation or a type. */
 Words behindName(RTT::TaskContext& context, const std::string& path) {
     const ResolvedName lookup = RTT::internal::resolve(context, path);
     const std::string before = lookup.wrongAt ? path.substr(0, lookup.wrongAt - 1) : "";
     const NamedObject owner = RTT::internal::resolve(context, before).target;
     if (!owner.service) return {};
-    if (owner.service->hasMember(path.substr(lookup.wrongAt))) return {"call", "cmd", "send"};
+    const std::string rest = path.substr(lookup.wrongAt + lookup.wrong.size());
+    if (owner.service->hasMember(lookup.wrong)) return behindOperation(*owner.service, lookup.wrong, rest);
     Words words = typesBehind(path);
     auto value = valueIn(*owner.service, lookup.wrong);
-    const std::string rest = path.substr(lookup.wrongAt + lookup.wrong.size());
     if (value && !rest.empty()) value = value->getMember(rest.substr(1));
     if (!value) return words;
     value->evaluate();

@@ -5,6 +5,7 @@
 #include "commands.hpp"
 #include "interface_text.hpp"
 #include "table.hpp"
+#include "value_lines.hpp"
 #include "value_table.hpp"
 #include "value_text.hpp"
 
@@ -20,6 +21,8 @@
 
 namespace OCL::console {
 namespace {
+
+constexpr std::size_t kMostLines = 60;  // of a value
 
 bool isPath(const std::string& text) {
     return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
@@ -113,9 +116,11 @@ bool Console::showNamed(const std::string& name) {
     const auto [before, last] = RTT::internal::splitAtLastDot(name);
     const ResolvedName owner = RTT::internal::resolve(context, before);
     const bool peer = lookup.target.component != nullptr;
-    if (!peer && owner.target.service && describePort(state_.screen, *owner.target.service, last, name)) return true;
+    if (!peer && owner.target.service &&
+        describePort(state_.screen, *owner.target.service, last, name, state_.around()))
+        return true;
     if (lookup.target.service)
-        describeInterface(state_.screen, lookup.target);
+        describeInterface(state_.screen, lookup.target, state_.around());
     else if (context.requires_()->requiresService(name))
         describeRequester(state_.screen, *context.requires_(name));
     else
@@ -154,7 +159,17 @@ void Console::show(const RTT::scripting::TypedInput::Answer& answer) {
         screen.out << " =\n";
         return writeProperties(screen, bag->rvalue(), "    ");
     }
-    screen.out << " = " << screen.paint(Style::Value, valueText(answer.value, screen.hex)) << '\n';
+    const std::string text = valueText(answer.value, screen.hex);
+    // What reads the answer from a pipe gets one line.
+    const std::size_t width = screen.tableWidth(), indent = 4;
+    if (width > indent && widthOf(" = " + text) > width) {
+        const auto lines = valueLines(answer.value, screen.hex, width - indent, kMostLines);
+        if (!lines.empty()) screen.out << " =\n";
+        for (const std::string& line : lines)
+            screen.out << std::string(indent, ' ') << screen.paint(Style::Value, line) << '\n';
+        if (!lines.empty()) return;
+    }
+    screen.out << " = " << screen.paint(Style::Value, text) << '\n';
 }
 
 std::string Console::prompt() {

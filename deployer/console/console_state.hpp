@@ -8,12 +8,14 @@
 #include "place.hpp"
 #include "program_listing.hpp"
 #include "screen.hpp"
+#include "visits.hpp"
 #include "watch.hpp"
 
 #include <rtt/scripting/typed_input.hpp>
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace OCL::console {
 
@@ -31,6 +33,8 @@ struct ConsoleState {
     /** The component in which names are looked up: the visited one, or the console's own while that watches it. Null if
         the visited component is gone. */
     RTT::TaskContext* context() const { return watch ? &self : place.component(); }
+    /** Components to begin with when the port at the other end of a connection is looked for. */
+    std::vector<Gate> around() const;
     /** Must be called after each change of the context. */
     void forgetInput() { typed.reset(); }
     void goTo(bool watching);

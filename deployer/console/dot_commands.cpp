@@ -48,13 +48,6 @@ void typekits(ConsoleState& state, const Input&) {
 }
 void types(ConsoleState& state, const Input&) { writeNames(state, "Types:", RTT::types::Types()->getDottedTypes()); }
 
-/** Prints an error and returns false if the command has too few words. */
-bool hasWords(ConsoleState& state, const Input& input, std::size_t count, const char* expected) {
-    if (input.words.size() > count) return true;
-    complain(state.screen, input, input.text.size(), std::string("expected ") + expected);
-    return false;
-}
-
 void provide(ConsoleState& state, const Input& input) {
     if (!hasWords(state, input, 1, "the names of services; '.services' shows them")) return;
     RTT::TaskContext& component = *state.context();
@@ -71,21 +64,6 @@ void provide(ConsoleState& state, const Input& input) {
                      "service '" + service.text + "' cannot be loaded" +
                          oroforge::diag::didYouMean(service.text, PluginLoader::Instance()->listServices()));
     }
-}
-
-RTT::base::PortInterface* findPort(ConsoleState& state, const Input& input, const Word& word) {
-    const auto [path, name] = RTT::internal::splitAtLastDot(word.text);
-    const ResolvedName owner = RTT::internal::resolve(*state.context(), path);
-    if (!owner.target.service) {
-        complainOf(state, input, word.begin, owner);
-        return nullptr;
-    }
-    RTT::base::PortInterface* const port = owner.target.service->getPort(name);
-    if (!port)
-        complain(state.screen, input, word.begin + word.text.size() - name.size(),
-                 "'" + owner.target.name + "' has no port '" + name + "'" +
-                     oroforge::diag::didYouMean(name, owner.target.service->getPortNames()));
-    return port;
 }
 
 void connect(ConsoleState& state, const Input& input) {
@@ -199,6 +177,27 @@ void lua(ConsoleState& state, const Input& input) {
 
 }  // namespace
 
+bool hasWords(ConsoleState& state, const Input& input, std::size_t count, const char* expected) {
+    if (input.words.size() > count) return true;
+    complain(state.screen, input, input.text.size(), std::string("expected ") + expected);
+    return false;
+}
+
+RTT::base::PortInterface* findPort(ConsoleState& state, const Input& input, const Word& word) {
+    const auto [path, name] = RTT::internal::splitAtLastDot(word.text);
+    const ResolvedName owner = RTT::internal::resolve(*state.context(), path);
+    if (!owner.target.service) {
+        complainOf(state, input, word.begin, owner);
+        return nullptr;
+    }
+    RTT::base::PortInterface* const port = owner.target.service->getPort(name);
+    if (!port)
+        complain(state.screen, input, word.begin + word.text.size() - name.size(),
+                 "'" + owner.target.name + "' has no port '" + name + "'" +
+                     oroforge::diag::didYouMean(name, owner.target.service->getPortNames()));
+    return port;
+}
+
 const std::vector<Command>& dotCommands() {
     static const std::vector<Command> all = {
         {".services", "", "names the services that .provide can load", Argument::None, &services},
@@ -207,6 +206,9 @@ const std::vector<Command>& dotCommands() {
         {".types", "", "names the types that values can have", Argument::None, &types},
         {".provide", "SERVICE…", "loads services into the present component", Argument::Service, &provide},
         {".connect", "PORT PORT", "connects two ports with the default policy", Argument::Port, &connect},
+        {".watch", "PORT [COUNT]", "shows the samples of an output port as they come, so many or until Enter or Ctrl-C",
+         Argument::Port, &watchPort},
+        {".hz", "PORT [COUNT]", "shows each second how often an output port is written", Argument::Port, &showRate},
         {".loadProgram", "FILE…", "loads programs and functions into the present component", Argument::File,
          &loadProgram},
         {".unloadProgram", "NAME…", "removes programs", Argument::Scripted, &unloadProgram},

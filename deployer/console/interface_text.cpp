@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include "interface_text.hpp"
 
+#include "known_ports.hpp"
 #include "port_table.hpp"
 #include "table.hpp"
 #include "value_table.hpp"
@@ -10,7 +11,6 @@
 #include <rtt/OperationInterface.hpp>
 #include <rtt/ServiceRequester.hpp>
 #include <rtt/base/InputPortInterface.hpp>
-#include <rtt/base/OutputPortInterface.hpp>
 #include <rtt/internal/ConnectionManager.hpp>
 #include <rtt/internal/calls/standard_operations.hpp>
 #include <rtt/types/CompositionFactory.hpp>
@@ -134,7 +134,7 @@ void describeOperation(Screen& screen, const RTT::OperationInterface& operations
     table.write(screen.out, screen.theme, indent + "  ", screen.tableWidth());
 }
 
-void describeInterface(Screen& screen, const NamedObject& target) {
+void describeInterface(Screen& screen, const NamedObject& target, const std::vector<Gate>& around) {
     RTT::Service& service = *target.service;
     screen.out << (target.component ? "Component " : "Service ") << screen.paint(Style::Name, target.name) << '\n';
     writeDoc(screen, service.doc(), "  ");
@@ -157,7 +157,7 @@ void describeInterface(Screen& screen, const NamedObject& target) {
     }
     if (!service.getPorts().empty()) {
         title(screen, "Ports");
-        writePorts(screen, service, "    ");
+        writePorts(screen, service, "    ", around);
     }
     std::vector<std::string> services;
     for (const std::string& name : service.getProviderNames())
@@ -224,7 +224,8 @@ bool describeType(Screen& screen, const std::string& name) {
     return true;
 }
 
-bool describePort(Screen& screen, RTT::Service& service, const std::string& name, const std::string& path) {
+bool describePort(Screen& screen, RTT::Service& service, const std::string& name, const std::string& path,
+                  const std::vector<Gate>& around) {
     const RTT::base::PortInterface* const port = service.getPort(name);
     if (!port) return false;
     const bool input = port->asInput();
@@ -236,9 +237,8 @@ bool describePort(Screen& screen, RTT::Service& service, const std::string& name
         screen.out << "    " << (input ? "<- " : "-> ") << (id->peer() ? id->peer()->getFullName() : id->toString())
                    << "  " << connection.get<2>() << '\n';
     }
-    const auto* const output = port->asOutput();
-    if (output && output->hasLastWrittenValue())
-        screen.out << "    last written: " << valueText(output->getDataSource(), screen.hex) << '\n';
+    if (const auto last = lastSampleOf(*port, around))
+        screen.out << (input ? "    last sample: " : "    last written: ") << valueText(last, screen.hex) << '\n';
     screen.out << "    " << screen.paint(Style::Faint, path + (input ? ".read(x)" : ".write(x)")) << '\n';
     return true;
 }

@@ -6,6 +6,7 @@
 
 #include "place.hpp"
 #include "screen.hpp"
+#include "visits.hpp"
 
 #include <string>
 #include <vector>
@@ -18,8 +19,9 @@ class ServiceRequester;
 
 namespace OCL::console {
 
-/** Describes everything that a component or service provides; operations with arguments and documentation. */
-void describeInterface(Screen& screen, const NamedObject& target);
+/** Describes everything that a component or service provides; operations with arguments and documentation. `around` is
+    that of list(). */
+void describeInterface(Screen& screen, const NamedObject& target, const std::vector<Gate>& around);
 /** Describes an operation, which must exist. */
 void describeOperation(Screen& screen, const RTT::OperationInterface& operations, const std::string& name,
                        const std::string& indent);
@@ -32,8 +34,10 @@ bool describeValue(Screen& screen, const RTT::ConfigurationInterface& values, co
 /** Describes a type: the values of an enum, members with units and documentation, and what converts to it. False if
     there is none of that name. */
 bool describeType(Screen& screen, const std::string& name);
-/** Describes a port: its type, its connections and how to use it. False if there is none of that name. */
-bool describePort(Screen& screen, RTT::Service& service, const std::string& name, const std::string& path);
+/** Describes a port: its type, its connections, its last sample and how to use it. False if there is none of that
+    name. */
+bool describePort(Screen& screen, RTT::Service& service, const std::string& name, const std::string& path,
+                  const std::vector<Gate>& around);
 
 /** The title of the operations that every component has. */
 inline constexpr const char* kUsualOperations = "Operations of every component";

@@ -117,7 +117,7 @@ bool hasUnknownType(RTT::Service& service) {
 
 }  // namespace
 
-void list(Screen& screen, const NamedObject& target) {
+void list(Screen& screen, const NamedObject& target, const std::vector<Gate>& around) {
     RTT::Service& service = *target.service;
     writeHead(screen, target);
     if (!service.properties()->empty()) {
@@ -131,7 +131,7 @@ void list(Screen& screen, const NamedObject& target) {
     listOperations(screen, target);
     if (!service.getPorts().empty()) {
         title(screen, "Ports");
-        writePorts(screen, service, kIndent);
+        writePorts(screen, service, kIndent, around);
     }
     if (hasUnknownType(service))
         screen.out << "\n  " << screen.paint(Style::Faint, "unknown_t: no typekit that is loaded has this type")

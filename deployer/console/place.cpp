@@ -37,6 +37,11 @@ TaskContext* Place::find(const Visit& visit) {
 
 TaskContext* Place::component() const { return find(here_); }
 
+std::vector<boost::intrusive_ptr<const RTT::internal::EngineGate>> Place::roots() const {
+    if (before_.empty()) return {here_.gate};
+    return {here_.gate, before_.front().gate};
+}
+
 void Place::go(Visit to) {
     before_.push_back(std::move(here_));
     if (before_.size() > kMostVisits) before_.erase(before_.begin());

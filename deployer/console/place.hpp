@@ -31,6 +31,8 @@ public:
 
     /** The visited component; null if it is gone, see back(). */
     RTT::TaskContext* component() const;
+    /** The component from which the path of the visited one begins, and that of the earliest visit. */
+    std::vector<boost::intrusive_ptr<const RTT::internal::EngineGate>> roots() const;
     /** The name of the component, even if it is gone. */
     const std::string& name() const { return here_.name; }
     /** Visits a peer of the present component, or one of its peers; an empty path leads back to the first component.

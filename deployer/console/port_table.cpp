@@ -2,12 +2,11 @@
 // Copyright Oroforge contributors
 #include "port_table.hpp"
 
+#include "known_ports.hpp"
 #include "table.hpp"
 #include "value_text.hpp"
 
 #include <rtt/DataFlowInterface.hpp>
-#include <rtt/base/InputPortInterface.hpp>
-#include <rtt/base/OutputPortInterface.hpp>
 #include <rtt/internal/ConnectionManager.hpp>
 #include <rtt/types/Types.hpp>
 
@@ -29,20 +28,22 @@ std::string partnersOf(const RTT::base::PortInterface& port) {
     return (input ? "<- " : "-> ") + names;
 }
 
-std::string lastValueOf(const RTT::base::PortInterface& port, const Screen& screen) {
-    const auto* const output = port.asOutput();
-    if (!output || !output->hasLastWrittenValue()) return {};
-    return "= " + shortened(oneLine(valueText(output->getDataSource(), screen.hex)), screen.valueWidth());
-}
-
 }  // namespace
 
-void writePorts(Screen& screen, RTT::DataFlowInterface& ports, const std::string& indent) {
+void writePorts(Screen& screen, RTT::DataFlowInterface& ports, const std::string& indent,
+                const std::vector<Gate>& around) {
     Table table({Style::Faint, Style::Name, Style::Type, Style::Value, Style::Plain, Style::Faint});
-    for (const RTT::base::PortInterface* const port : ports.getPorts())
-        table.add({port->asInput() ? "in" : "out", port->getName(),
-                   RTT::types::Types()->toDot(port->getTypeInfo()->getTypeName()), lastValueOf(*port, screen),
-                   partnersOf(*port), oneLine(port->getDescription())});
+    {
+        Visits visits;  // over before the terminal may block
+        const KnownPorts known(around, visits);
+        for (const RTT::base::PortInterface* const port : ports.getPorts()) {
+            const auto last = known.lastSample(*port);
+            table.add({port->asInput() ? "in" : "out", port->getName(),
+                       RTT::types::Types()->toDot(port->getTypeInfo()->getTypeName()),
+                       last ? "= " + shortened(oneLine(valueText(last, screen.hex)), screen.valueWidth()) : "",
+                       partnersOf(*port), oneLine(port->getDescription())});
+        }
+    }
     table.write(screen.out, screen.theme, indent, screen.tableWidth());
 }
 

@@ -4,6 +4,10 @@
 #define OROFORGE_CONSOLE_PORT_TABLE_HPP
 
 #include "screen.hpp"
+#include "visits.hpp"
+
+#include <string>
+#include <vector>
 
 namespace RTT {
 class DataFlowInterface;
@@ -11,9 +15,10 @@ class DataFlowInterface;
 
 namespace OCL::console {
 
-/** Writes direction, name, type, connections and documentation of ports, and the last value of outputs that keep it.
-    Neither reads nor connects a port. */
-void writePorts(Screen& screen, RTT::DataFlowInterface& ports, const std::string& indent);
+/** Writes direction, name, type, last sample, connections and documentation of ports. The sample of an input port is
+    the last one that an output port of `around` or their peers wrote to it. Neither reads nor connects a port. */
+void writePorts(Screen& screen, RTT::DataFlowInterface& ports, const std::string& indent,
+                const std::vector<Gate>& around);
 
 }  // namespace OCL::console
 

@@ -70,11 +70,15 @@ int elementsOf(const Source& value) {
     return number ? number->get() : 0;
 }
 
+Source elementOf(const Source& value, int index) {
+    return value->getMember(Source(new RTT::internal::ConstantDataSource<int>(index)));
+}
+
 std::string sequenceText(const Source& value, bool hex, int depth) {
     const int size = elementsOf(value);
     std::string text;
     for (int i = 0; i != std::min(size, kMostElements); ++i) {
-        const Source element = value->getMember(Source(new RTT::internal::ConstantDataSource<int>(i)));
+        const Source element = elementOf(value, i);
         text += (i ? ", " : "") + (element ? textOf(element, hex, depth + 1) : std::string("?"));
     }
     if (size > kMostElements) text += ", … " + std::to_string(size - kMostElements) + " more";
@@ -90,12 +94,14 @@ std::string membersText(const Source& value, const std::vector<std::string>& nam
     return "{" + text + "}";
 }
 
+bool isUnknown(const Source& value) { return value->getTypeInfo() == RTT::types::Types()->unknownType(); }
+
 std::string textOf(const Source& value, bool hex, int depth) {
     if (!value) return "(null)";
     if (depth > kDeepest) return "…";
     // A value of an unknown type cannot be copied, so this may be a call, which must not be made again.
     if (RTT::internal::DataSource<RTT::internal::SentCall::shared_ptr>::narrow(value.get())) return "SendHandle";
-    if (value->getTypeInfo() == RTT::types::Types()->unknownType()) return "(unknown_t)";
+    if (isUnknown(value)) return "(unknown_t)";
     value->evaluate();
     if (const auto* const text = RTT::internal::DataSource<std::string>::narrow(value.get()))
         return quoted(text->rvalue(), '"');
@@ -118,6 +124,31 @@ std::string textOf(const Source& value, bool hex, int depth) {
 }
 
 }  // namespace
+
+std::vector<std::pair<std::string, Source>> partsOf(const Source& value, std::size_t& left) {
+    std::vector<std::pair<std::string, Source>> parts;
+    left = 0;
+    if (!value || isUnknown(value)) return parts;
+    value->evaluate();
+    if (const auto* const bag = RTT::internal::DataSource<RTT::PropertyBag>::narrow(value.get())) {
+        for (const auto* property : bag->rvalue()) parts.emplace_back(property->getName(), property->getDataSource());
+        return parts;
+    }
+    // Texts have members, too.
+    if (RTT::internal::DataSource<std::string>::narrow(value.get()) ||
+        RTT::internal::DataSource<RTT::rt_string>::narrow(value.get()))
+        return parts;
+    const std::vector<std::string> names = value->getMemberNames();
+    if (isSequence(names)) {
+        const int size = elementsOf(value), shown = std::min(size, kMostElements);
+        for (int i = 0; i < shown; ++i) parts.emplace_back("[" + std::to_string(i) + "]", elementOf(value, i));
+        left = static_cast<std::size_t>(std::max(size - shown, 0));
+        return parts;
+    }
+    for (const std::string& name : names)
+        if (const Source member = value->getMember(name)) parts.emplace_back(name, member);
+    return parts;
+}
 
 std::string valueText(const RTT::base::DataSourceBase::shared_ptr& value, bool hex) { return textOf(value, hex, 0); }
 

@@ -71,7 +71,7 @@ FoundValue findValue(const Asked& asked, const std::string& path) {
     made.component = at.componentName();
     made.parts.assign(at.rest.begin() + 1, at.rest.end());
     for (const std::string& part : made.parts) made.path += isIndex(part) ? "[" + part + "]" : "." + part;
-    const KnownPorts known(asked.root, visits);
+    const KnownPorts known({asked.root.gate}, visits);
     findIn(*at.service, at, known, made);
     made.head["path"] = made.path;
     return made;

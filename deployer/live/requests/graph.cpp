@@ -53,7 +53,7 @@ json connectionJson(const KnownPorts& known, const KnownPorts::Port& at,
 
 json graph(const Asked& asked) {
     Visits visits;
-    const KnownPorts known(asked.root, visits);
+    const KnownPorts known({asked.root.gate}, visits);
     json components = json::array(), connections = json::array();
     for (const auto& [name, component] : known.components())
         components.push_back({{"name", name}, {"type", classOf(*component)}, {"state", stateOf(*component)}});

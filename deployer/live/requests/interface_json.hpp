@@ -5,6 +5,7 @@
 #define OROFORGE_LIVE_INTERFACE_JSON_HPP
 
 #include "ports.hpp"
+#include "values.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -98,17 +98,6 @@ bool step(Found& at, Visits& visits, const Root& root, const std::string& part, 
 
 }  // namespace
 
-Visits::~Visits() {
-    while (!visits_.empty()) visits_.pop_back();
-}
-
-TaskContext* Visits::enter(const Gate& gate) {
-    gates_.push_back(gate);
-    visits_.emplace_back(*gate);
-    RTT::ExecutionEngine* const engine = visits_.back().engine();
-    return engine ? dynamic_cast<TaskContext*>(engine->getTaskCore()) : nullptr;
-}
-
 Found find(const Root& root, Visits& visits, const std::string& path) {
     const std::vector<std::string> parts = partsOf(path);
     Found at;

@@ -6,9 +6,9 @@
 
 #include "component_thread.hpp"
 
+#include <console/visits.hpp>
 #include <rtt/TaskContext.hpp>
 
-#include <deque>
 #include <string>
 #include <vector>
 
@@ -20,21 +20,7 @@ struct Root {
     std::string name;
 };
 
-/** Components that are not destroyed while this exists. Lives on the stack. */
-class Visits {
-public:
-    Visits() = default;
-    ~Visits();
-    Visits(const Visits&) = delete;
-    Visits& operator=(const Visits&) = delete;
-
-    /** Null if it is gone. */
-    RTT::TaskContext* enter(const Gate& gate);
-
-private:
-    std::deque<RTT::internal::EngineGate::Visit> visits_;
-    std::vector<Gate> gates_;  // keep what the visits refer to
-};
+using console::Visits;
 
 struct Found {
     RTT::TaskContext* component = nullptr;  ///< null for a service of the process

@@ -187,7 +187,7 @@ json show(const Asked& asked) {
         Visits visits;
         const Found at = find(asked.root, visits, path);
         if (!isValue(at)) {
-            const KnownPorts known(asked.root, visits);
+            const KnownPorts known({asked.root.gate}, visits);
             if (!at.rest.empty()) return showMember(asked, at, known);
             shown.gate = at.gate;
             shown.component = at.componentName();

@@ -63,7 +63,7 @@ Row rowOf(const std::string& name, RTT::TaskContext& component) {
 std::vector<Row> rowsOf(const Root& root) {
     std::vector<Row> rows;
     Visits visits;
-    const KnownPorts known(root, visits);
+    const KnownPorts known({root.gate}, visits);
     for (const auto& [name, component] : known.components()) rows.push_back(rowOf(name, *component));
     return rows;
 }
