@@ -223,6 +223,27 @@ TEST_F(RequestsTest, WhatIsNotAllowedNamesTheOption) {
     EXPECT_EQ(2.5, result("get", {{"path", "Arm.gain"}})["value"]);
 }
 
+TEST_F(RequestsTest, OperationsAreNoWayAroundOtherPermissions) {
+    rights = {};
+    rights.operations = true;
+    for (const char* const path : {"Arm.start", "Arm.this.start", "Arm.setPeriod", "Arm.loadService", "Deployer.add",
+                                   "this.start", "isRunning", "Arm.Deployer.isRunning"}) {
+        arm->addPeer(deployer.get());
+        EXPECT_THAT(failure("call", {{"path", path}}),
+                    testing::AllOf(StartsWith("LIV005: operation '"), HasSubstr("--web-allow=lifecycle")))
+            << path;
+    }
+    EXPECT_FALSE(arm->isRunning());
+    EXPECT_EQ(false, result("call", {{"path", "Arm.isRunning"}})["value"]);
+    EXPECT_EQ(3, result("call", {{"path", "Arm.add"}, {"arguments", {1, 2}}})["value"]);
+    rights.lifecycle = true;
+    EXPECT_EQ(true, result("call", {{"path", "Arm.start"}})["value"]);
+    ASSERT_TRUE(arm->loadService("scripting"));
+    EXPECT_THAT(failure("call", {{"path", "Arm.scripting.eval"}, {"arguments", {"Arm.stop()"}}}),
+                StartsWith("LIV005: operation 'Arm.scripting.eval' executes scripts"));
+    EXPECT_TRUE(arm->isRunning());
+}
+
 TEST_F(RequestsTest, StopEndsTheDeployment) {
     EXPECT_EQ(true, result("stop")["done"]);
     EXPECT_TRUE(stopped);
