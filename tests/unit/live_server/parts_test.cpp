@@ -5,6 +5,8 @@
 #include <live/door/unix_address.hpp>
 #include <live/door/web_address.hpp>
 #include <live/server/access.hpp>
+#include <live/server/host.hpp>
+#include <live/server/live_client.hpp>
 #include <live/server/message_queue.hpp>
 #include <live/server/text_depth.hpp>
 #include <support/temp_dir.hpp>
@@ -55,6 +57,43 @@ TEST(MessageQueue, ASampleLargerThanTheLimitDropsAllOthersAndIsKept) {
     queue.forget(2);
     EXPECT_EQ(0U, queue.dropped(2));
     EXPECT_EQ("", drained(queue));
+}
+
+/** One component with a property that is another one each time. */
+class ChangingHost final : public Host, public Link {
+public:
+    void ask(std::uint64_t, const nlohmann::json& request, const Caller&, Then then) override {
+        nlohmann::json result;
+        if (request["op"] == "oro.tree")
+            result["components"] = {{{"name", "Arm"}, {"services", nlohmann::json::array()}}};
+        else
+            result["properties"] = {{{"name", "text"}, {"type", "string"}, {"value", text()}}};
+        then(*client, {{"op", "oro.answer"}, {"id", 0}, {"result", result}});
+    }
+    void forward(std::uint64_t, const nlohmann::json&, const Caller&) override {}
+    std::unique_ptr<PortWatch> watch(const std::string&, const PortWatch::Options&) override { return nullptr; }
+    bool describe(const std::string&, nlohmann::json&, std::string&) override { return false; }
+    void wantsChanged() override {}
+    void wake() override {}
+    std::string text() { return std::string(60000, static_cast<char>('a' + ++asked % 26)); }
+
+    LiveClient* client = nullptr;
+    int asked = 0;
+};
+
+TEST(LiveClient, OneThatDoesNotReadGetsNoEndlessUpdates) {
+    ChangingHost host;
+    LiveClient client(host, 1, {"tester", {}}, host, /*speaksFoxglove=*/true);
+    host.client = &client;
+    client.receive(R"({"op":"subscribeParameterUpdates","parameterNames":["Arm.text"]})", false);
+    for (std::int64_t second = 1; second != 100; ++second) client.onTick(second * 1000000000);
+    std::size_t bytes = 0;
+    for (Frame frame; client.next(frame);) bytes += frame.bytes.size();
+    EXPECT_LT(bytes, 1200000U);
+    EXPECT_GT(bytes, 60000U);
+    client.onTick(200000000000);
+    Frame frame;
+    EXPECT_TRUE(client.next(frame)) << "it goes on when the client reads again";
 }
 
 TEST(TextDepth, CountsWhatIsNotInTexts) {
