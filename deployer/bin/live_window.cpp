@@ -179,6 +179,7 @@ bool LiveWindow::open(DeploymentComponent& deployer) {
     how.webIsLoopback = impl_->address.isLoopback();
     how.token = impl_->token;
     how.webMay = {impl_->options.webProperties, impl_->options.webOperations, impl_->options.webLifecycle};
+    how.webOrigins = impl_->options.webOrigins;
     std::string error;
     impl_->server.reset(serve(how, error));
     if (!impl_->server) {

@@ -327,6 +327,8 @@ TEST(LiveWindow, APortInUseIsAnErrorBeforeAnythingIsDeployed) {
     EXPECT_NE(std::string::npos, runWith({"--web=0.0.0.0:0"}).find("[WEB004]"));
     EXPECT_NE(std::string::npos, runWith({"--web=0", "--web-token-file=none"}).find("none: error: [WEB005]"));
     EXPECT_NE(std::string::npos, runWith({"--web=0", "--web-allow=propertys"}).find("did you mean 'properties'"));
+    EXPECT_NE(std::string::npos, runWith({"--web=0", "--web-origin=view.example"}).find("--web-origin is no site"));
+    EXPECT_NE(std::string::npos, runWith({"--web-origin=https://a"}).find("without --web"));
     EXPECT_NE(std::string::npos, runWith({"--web-allow=operations"}).find("without --web"));
 }
 

@@ -96,6 +96,30 @@ TEST(LiveClient, OneThatDoesNotReadGetsNoEndlessUpdates) {
     EXPECT_TRUE(client.next(frame)) << "it goes on when the client reads again";
 }
 
+TEST(Access, PagesOfNamedSitesMayConnect) {
+    WebAccess access{"0123456789abcdef", true, {"https://view.example", "http://10.0.0.5:8080"}};
+    RequestHead head;
+    head.isUpgrade = true;
+    head.method = "GET";
+    head.target = "/?token=0123456789abcdef";
+    head.host = "localhost:8765";
+    const auto status = [&](const char* origin) {
+        head.origin = origin;
+        return judgeRequest(head, access).status;
+    };
+    EXPECT_EQ(101U, status("https://view.example"));
+    EXPECT_EQ(101U, status("https://View.Example"));
+    EXPECT_EQ(101U, status("http://10.0.0.5:8080"));
+    for (const char* other : {"http://view.example", "https://view.example.evil", "https://view.example:444",
+                              "http://10.0.0.5", "https://evil.example", "null"})
+        EXPECT_EQ(403U, status(other)) << other;
+    head.isLocal = true;  // a page does not reach that door
+    EXPECT_EQ(403U, status("https://view.example"));
+    head.isLocal = false;
+    head.target = "/";
+    EXPECT_EQ(401U, status("https://view.example")) << "it needs the token, too";
+}
+
 TEST(TextDepth, CountsWhatIsNotInTexts) {
     EXPECT_EQ(0U, depthOf("1"));
     EXPECT_EQ(2U, depthOf(R"({"a": [1], "b": "[[[[", "c": "\\\"[[["})"));
