@@ -90,7 +90,7 @@ public:
         RawClient other = web();
         EXPECT_TRUE(other.open("oro.v1", target())) << after;
         EXPECT_TRUE(other.say({{"op", "oro.hello"}, {"id", 1}}));
-        EXPECT_EQ(json::array(), other.hear("oro.answer")["result"]["allow"]) << after;
+        EXPECT_EQ(nlohmann::json::array(), other.hear("oro.answer")["result"]["allow"]) << after;
     }
 
     oroforge::test::TempDir directory;
