@@ -41,6 +41,7 @@ add_library(oroforge_live_client STATIC
   live/client/tree_command.cpp
   live/client/value_commands.cpp
   live/client/value_text.cpp)
+find_package(Threads REQUIRED)
 target_include_directories(oroforge_live_client PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
 target_compile_definitions(oroforge_live_client PRIVATE OROFORGE_VERSION="${PROJECT_VERSION}")
 target_link_libraries(oroforge_live_client

@@ -77,6 +77,9 @@ const struct {
      "what they may do there besides looking, such as properties,operations,lifecycle: set properties, call "
      "operations, "
      "start and stop components"},
+    {"web-origin", Takes::Word,
+     "sites whose pages may connect there besides those of this computer and app.foxglove.dev, such as "
+     "https://view.example,http://10.0.0.5:8080"},
     {"web-token-file", Takes::Word,
      "a file with the token that they must know, which only its owner may read; without it, each run has another "
      "token"},
@@ -211,15 +214,33 @@ void takeLogTime(const std::string& value, Options& options, std::string& error)
 
 const std::vector<std::string> kPermissions = {"properties", "operations", "lifecycle"};
 
+/** Takes "https://view.example,http://10.0.0.5:8080", as browsers write them in the header Origin. */
+void takeOrigins(const std::string& value, Options& options, std::string& error) {
+    std::istringstream words(value);
+    for (std::string word; std::getline(words, word, ',');) {
+        const std::size_t host = word.find("://");
+        const std::string scheme = word.substr(0, host);
+        const bool good = (scheme == "http" || scheme == "https") && host + 3 < word.size() &&
+                          word.find_first_of("/*?# ", host + 3) == std::string::npos;
+        if (good)
+            options.webOrigins.push_back(word);
+        else
+            error = "'" + word +
+                    "' of --web-origin is no site; write http:// or https:// and the host, as "
+                    "https://view.example:8443, without a path";
+    }
+}
+
 /** Takes what concerns the live window. */
 void takeLive(const po::variables_map& values, Options& options, std::string& error) {
     options.live = !values.count("no-live");
     if (values.count("web")) options.webAddress = values["web"].as<std::string>();
     if (values.count("web") && options.webAddress.empty()) error = "the address of --web is empty";
     if (values.count("web-token-file")) options.webTokenFile = values["web-token-file"].as<std::string>();
-    for (const char* name : {"web-allow", "web-token-file"})
+    for (const char* name : {"web-allow", "web-origin", "web-token-file"})
         if (values.count(name) && !values.count("web"))
             error = std::string("--") + name + " is of no use without --web";
+    if (values.count("web-origin")) takeOrigins(values["web-origin"].as<std::string>(), options, error);
     if (!values.count("web-allow")) return;
     std::istringstream words(values["web-allow"].as<std::string>());
     for (std::string word; std::getline(words, word, ',');) {

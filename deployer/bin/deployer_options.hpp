@@ -41,6 +41,7 @@ struct Options {
     bool live = true;                // other programs of this user may look at the deployment
     std::string webAddress;          // and through this port; empty: there is none
     std::string webTokenFile;
+    std::vector<std::string> webOrigins;                                      // sites whose pages may connect
     bool webProperties = false, webOperations = false, webLifecycle = false;  // what they may do there besides looking
 
     bool endsAtOnce() const { return check || dryRun; }

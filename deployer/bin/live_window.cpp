@@ -17,6 +17,7 @@
 #include <iostream>
 #include <optional>
 
+#include <fcntl.h>
 #include <unistd.h>
 
 namespace OCL::deploy {
@@ -36,6 +37,9 @@ void reportAt(const std::string& file, diag::Severity severity, const char* code
     report(sink);
 }
 
+/** A second descriptor, which programs that components start do not inherit: they would keep the socket open. */
+int another(const live::DoorSocket& socket) { return ::fcntl(socket.get(), F_DUPFD_CLOEXEC, 0); }
+
 /** The module is beside the runtime's library, in a folder where nobody looks for libraries. */
 std::string moduleFile() {
     const std::string runtime = RTT::plugin::SharedLibrary::fileWith(
@@ -49,6 +53,7 @@ live::RunningServer* serve(const live::ServerStart& start, std::string& error) {
     auto* const begin = module ? module.function<decltype(oroLiveServe)>("oroLiveServe") : nullptr;
     if (!begin) {
         if (module) error = "it is of another version";
+        for (const int given : {start.local, start.client, start.web}) (void)live::Descriptor(given);
         return nullptr;
     }
     // Threads of components may be in it for longer than the server exists.
@@ -136,10 +141,12 @@ bool LiveWindow::Impl::listenToWeb() {
 void LiveWindow::Impl::letIn(live::Descriptor client) {
     live::ServerStart how = start();
     how.client = client.release();
-    how.local = ::dup(socket->get());
+    how.local = another(*socket);
     std::string error;
     server.reset(serve(how, error));
-    if (!server) RTT::log(RTT::Error) << "the live window does not open: " << error << RTT::endlog();
+    if (server) return;
+    RTT::log(RTT::Error) << "the live window does not open: " << error << RTT::endlog();
+    socket.reset();  // nobody waits in vain
 }
 
 LiveWindow::LiveWindow(const Options& options) : impl_(new Impl(options)) {
@@ -166,12 +173,13 @@ bool LiveWindow::open(DeploymentComponent& deployer) {
         return true;
     }
     live::ServerStart how = impl_->start();
-    how.local = impl_->socket ? ::dup(impl_->socket->get()) : -1;
+    how.local = impl_->socket ? another(*impl_->socket) : -1;
     how.web = impl_->web.release();
     how.webAddress = impl_->address.text();
     how.webIsLoopback = impl_->address.isLoopback();
     how.token = impl_->token;
     how.webMay = {impl_->options.webProperties, impl_->options.webOperations, impl_->options.webLifecycle};
+    how.webOrigins = impl_->options.webOrigins;
     std::string error;
     impl_->server.reset(serve(how, error));
     if (!impl_->server) {

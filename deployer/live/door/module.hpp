@@ -34,6 +34,7 @@ struct ServerStart {
     std::string token;           ///< what clients of it must know
     bool webIsLoopback = true;
     Permissions webMay;
+    std::vector<std::string> webOrigins;  ///< sites whose pages may connect: "https://view.example"
 };
 
 /** A server with its thread. The destructor says farewell to its clients, for 0.2 s at most, and waits for the

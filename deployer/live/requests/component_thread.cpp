@@ -3,6 +3,7 @@
 #include "component_thread.hpp"
 
 #include "failure.hpp"
+#include "ticket.hpp"
 
 #include <rtt/ExecutionEngine.hpp>
 #include <rtt/base/ActivityInterface.hpp>
@@ -10,16 +11,22 @@
 #include <rtt/os/fosi.h>
 #include <rtt/os/futex.hpp>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <exception>
+#include <mutex>
 #include <sstream>
 #include <utility>
+#include <vector>
 
 namespace OCL::live {
 namespace {
 
 using RTT::internal::EngineGate;
+
+/** So often a thread that waits looks whether somebody still wants the answer, in ns. */
+constexpr std::int64_t kLook = 100000000;
 
 /** The message and its end. The queue and the thread that waits refer to it. */
 class Message final : public RTT::base::DisposableInterface {
@@ -55,13 +62,15 @@ public:
                 if (seen == Begun || state_.compare_exchange_strong(seen, Abandoned)) return static_cast<State>(seen);
                 continue;
             }
-            RTT::os::detail::futexWait(state_, seen, deadline);
+            if (seen == Waiting && WorkFor::isOver()) deadline = 0;
+            RTT::os::detail::futexWait(state_, seen, std::min<std::int64_t>(deadline, rtos_get_time_ns() + kLook));
         }
     }
     void rethrow() const {
         if (thrown_) std::rethrow_exception(thrown_);
     }
 
+    bool isOnlyKept() const { return references_.load(std::memory_order_acquire) == 1; }
     void ref() { references_.fetch_add(1, std::memory_order_relaxed); }
     void deref() {
         if (references_.fetch_sub(1, std::memory_order_acq_rel) == 1) delete this;
@@ -82,6 +91,30 @@ private:
     std::atomic<int> references_{0};
 };
 
+typedef boost::intrusive_ptr<Message> MessagePtr;
+
+/** Keeps messages until no component holds them, so that none frees memory in the thread of a component. */
+class Keeper {
+public:
+    explicit Keeper(MessagePtr message) { exchange(std::move(message)); }
+    ~Keeper() { exchange(nullptr); }
+    Keeper(const Keeper&) = delete;
+    Keeper& operator=(const Keeper&) = delete;
+
+private:
+    static void exchange(MessagePtr added) {
+        static std::mutex mutex;
+        static auto* const kept = new std::vector<MessagePtr>();  // never destroyed: threads may outlive statics
+        std::vector<MessagePtr> done;
+        const std::lock_guard<std::mutex> lock(mutex);
+        const auto isHeld = [](const MessagePtr& each) { return !each->isOnlyKept(); };
+        const auto first = std::stable_partition(kept->begin(), kept->end(), isHeld);
+        done.assign(std::make_move_iterator(first), std::make_move_iterator(kept->end()));
+        kept->erase(first, kept->end());
+        if (added) kept->push_back(std::move(added));
+    }
+};
+
 /** True if this thread has executed it. */
 bool executedHere(const EngineGate& gate, const std::string& name, const std::function<void()>& work) {
     const EngineGate::Visit visit(gate);
@@ -96,7 +129,11 @@ bool executedHere(const EngineGate& gate, const std::string& name, const std::fu
 
 void inThreadOf(const Gate& gate, const std::string& name, const Limit& limit, std::function<void()> work) {
     if (executedHere(*gate, name, work)) return;
-    const boost::intrusive_ptr<Message> message(new Message(std::move(work)));
+    MessagePtr message(new Message(std::move(work)));
+    const Keeper keeper(message);
+    // Before the keeper looks for what nobody holds.
+    const std::unique_ptr<MessagePtr, void (*)(MessagePtr*)> released(&message,
+                                                                      [](MessagePtr* held) { held->reset(); });
     message->ref();  // for the queue
     if (!RTT::ExecutionEngine::process(*gate, message.get())) {
         message->deref();

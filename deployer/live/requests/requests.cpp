@@ -53,12 +53,17 @@ const std::map<std::string, Verb>& verbs() {
 const char* wordOf(bool Rights::*right) {
     if (right == &Rights::properties) return "properties";
     if (right == &Rights::operations) return "operations";
-    return right == &Rights::lifecycle ? "lifecycle" : "stop";
+    return "lifecycle";
 }
 
 [[noreturn]] void refuse(const std::string& op, const char* option) {
     throw Failure(kNotAllowed,
                   "'" + op + "' is not allowed here; the deployer's option --web-allow=" + option + " allows it");
+}
+
+[[noreturn]] void refuseRemote(const std::string& op) {
+    throw Failure(kNotAllowed,
+                  "'" + op + "' is not allowed here; only 'oro' on the same computer, without --url, may do it");
 }
 
 std::string userName() {
@@ -148,7 +153,7 @@ bool Requests::State::isDoneHere(const std::string& verb, const std::shared_ptr<
     const Rights& rights = ticket->caller().rights;
     if (verb == "hello") return ticket->answer(hello(rights)), true;
     if (verb == "stop") {
-        if (!rights.stop) refuse("oro.stop", "stop");
+        if (!rights.stop) refuseRemote("oro.stop");
         RTT::log(RTT::Info) << ticket->caller().name << " stops the deployment" << RTT::endlog();
         ticket->answer({{"done", true}});
         if (stop) stop();
@@ -156,7 +161,7 @@ bool Requests::State::isDoneHere(const std::string& verb, const std::shared_ptr<
     }
     const auto found = ofConsole.find(verb);
     if (found == ofConsole.end()) return false;
-    if (!rights.console) refuse("oro." + verb, "console");
+    if (!rights.console) refuseRemote("oro." + verb);
     (consoles.*found->second)(ticket);
     return true;
 }

@@ -10,6 +10,9 @@
 #include <utility>
 
 namespace OCL::live {
+namespace {
+thread_local const Ticket* ticketOfThread = nullptr;
+}
 
 void Outlet::close() {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -45,5 +48,9 @@ void Ticket::give(nlohmann::json what) {
     makeUtf8(what);
     outlet_->give(answer_, std::move(what));
 }
+
+WorkFor::WorkFor(const Ticket& ticket) { ticketOfThread = &ticket; }
+WorkFor::~WorkFor() { ticketOfThread = nullptr; }
+bool WorkFor::isOver() { return ticketOfThread && ticketOfThread->isOver(); }
 
 }  // namespace OCL::live

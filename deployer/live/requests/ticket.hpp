@@ -19,10 +19,11 @@ public:
     /** Waits for an answer that is being given; there are none afterwards. */
     void close();
     void give(const Answer& answer, nlohmann::json what);
+    bool isClosed() const { return closed_; }
 
 private:
     std::mutex mutex_;
-    bool closed_ = false;
+    std::atomic<bool> closed_{false};
 };
 
 /** A request that is being answered: once, whoever is first. Any thread. */
@@ -33,7 +34,8 @@ public:
 
     const nlohmann::json& request() const { return request_; }
     const Caller& caller() const { return caller_; }
-    bool isAnswered() const { return answered_; }
+    /** Nobody needs an answer any more: there is one, or the client has left. */
+    bool isOver() const { return answered_ || outlet_->isClosed(); }
     void answer(nlohmann::json result);
     void fail(const char* code, const std::string& message);
 
@@ -45,6 +47,18 @@ private:
     const Caller caller_;
     const Answer answer_;
     std::atomic<bool> answered_{false};
+};
+
+/** While it exists, this thread works for a ticket: what it waits for is given up when that is over. On the stack. */
+class WorkFor {
+public:
+    explicit WorkFor(const Ticket& ticket);
+    ~WorkFor();
+    WorkFor(const WorkFor&) = delete;
+    WorkFor& operator=(const WorkFor&) = delete;
+
+    /** The ticket of this thread is over; false if it has none. */
+    static bool isOver();
 };
 
 }  // namespace OCL::live

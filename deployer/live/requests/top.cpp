@@ -4,6 +4,7 @@
 #include "cycles.hpp"
 #include "fields.hpp"
 #include "interface_json.hpp"
+#include "ticket.hpp"
 #include "verbs.hpp"
 
 #include <rtt/ExecutionEngine.hpp>
@@ -23,6 +24,8 @@ namespace {
 using nlohmann::json;
 
 constexpr double kLongest = 10;
+/** So often it looks whether somebody still wants the answer, in ns. */
+constexpr std::int64_t kLook = 100000000;
 
 struct Row {
     json made;
@@ -95,7 +98,9 @@ json top(const Asked& asked) {
     const Measurement measurement(measured);
     for (Row& row : rows) row.ran = timeOf(row.tid);
     const std::int64_t begin = rtos_get_time_ns();
-    std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+    const std::int64_t end = begin + static_cast<std::int64_t>(seconds * 1e9);
+    for (std::int64_t now = begin; now < end && !WorkFor::isOver(); now = rtos_get_time_ns())
+        std::this_thread::sleep_for(std::chrono::nanoseconds(std::min(end - now, kLook)));
     const double passed = inSeconds(rtos_get_time_ns() - begin);
     json components = json::array();
     for (Row& row : rows) {

@@ -42,6 +42,10 @@ bool startThread(Function function) {
 
 void answer(const Job& job) {
     Ticket& ticket = *job.ticket;
+    // What was reported as not done must not be done later.
+    if (ticket.isOver()) return;
+    if (rtos_get_time_ns() >= job.deadline) return ticket.fail(kNoAnswer, job.late);
+    const WorkFor present(ticket);
     try {
         ticket.answer(job.run(job.deadline));
     } catch (const Failure& failure) {

@@ -7,6 +7,10 @@
 #include <rtt/internal/flow/storage_core.hpp>
 #include <rtt/types/TypeInfo.hpp>
 
+#include <algorithm>
+#include <iterator>
+#include <mutex>
+#include <set>
 #include <utility>
 
 namespace OCL::live {
@@ -19,6 +23,9 @@ constexpr char kCdrHead[4] = {0, RTT::encoding::kNativeOrder == ByteOrder::Littl
 /** In lists of connections; it belongs to no component. */
 const char kPortName[] = "live window";
 
+constexpr std::size_t kMostMemory = 8 * 1024 * 1024;
+constexpr unsigned kMostOfOne = 4, kMostOfAll = 32;
+
 RTT::ConnPolicy policyFor(unsigned buffer) {
     RTT::ConnPolicy policy =
         buffer == 0 ? RTT::ConnPolicy::data() : RTT::ConnPolicy::circularBuffer(static_cast<int>(buffer));
@@ -28,6 +35,46 @@ RTT::ConnPolicy policyFor(unsigned buffer) {
 
 }  // namespace
 
+/** The place of a watch at its port, which is only compared. */
+class PortWatch::Seat {
+public:
+    Seat(const void* port, std::uint64_t watcher) : key_(port, watcher) {
+        const std::lock_guard<std::mutex> lock(mutex());
+        if (taken().count(key_) >= kMostOfOne)
+            why_ = "you watch it " + std::to_string(kMostOfOne) + " times already";
+        else if (countAt(port) >= kMostOfAll)
+            why_ = "it is watched " + std::to_string(kMostOfAll) + " times already";
+        else
+            taken().insert(key_);
+    }
+    ~Seat() {
+        const std::lock_guard<std::mutex> lock(mutex());
+        if (why_.empty()) taken().erase(taken().find(key_));
+    }
+    Seat(const Seat&) = delete;
+    Seat& operator=(const Seat&) = delete;
+    /** Empty if it is one. */
+    const std::string& why() const { return why_; }
+
+private:
+    typedef std::pair<const void*, std::uint64_t> Key;
+    static std::mutex& mutex() {
+        static std::mutex guard;
+        return guard;
+    }
+    static std::multiset<Key>& taken() {
+        static auto* const all = new std::multiset<Key>();
+        return *all;
+    }
+    static std::size_t countAt(const void* port) {
+        const auto begin = taken().lower_bound({port, 0}), end = taken().upper_bound({port, UINT64_MAX});
+        return static_cast<std::size_t>(std::distance(begin, end));
+    }
+
+    const Key key_;
+    std::string why_;
+};
+
 std::unique_ptr<PortWatch> PortWatch::make(RTT::base::OutputPortInterface& port, const Options& options,
                                            std::string& why) {
     const RTT::types::TypeInfo* const type = port.getTypeInfo();
@@ -35,6 +82,9 @@ std::unique_ptr<PortWatch> PortWatch::make(RTT::base::OutputPortInterface& port,
         why = type ? "it is a port of another process" : "its type is unknown";
         return nullptr;
     }
+    auto seat = std::make_unique<const Seat>(&port, options.watcher);
+    why = seat->why();
+    if (!why.empty()) return nullptr;
     std::shared_ptr<const RTT::encoding::Json> json;
     std::shared_ptr<const RTT::encoding::Plan> plan;
     if (options.form == SampleForm::Json)
@@ -54,9 +104,21 @@ std::unique_ptr<PortWatch> PortWatch::make(RTT::base::OutputPortInterface& port,
     std::unique_ptr<PortWatch> watch(new PortWatch(std::move(own), std::move(value)));
     watch->json_ = std::move(json);
     watch->plan_ = std::move(plan);
-    if (port.createConnection(*watch->port_, policyFor(options.buffer))) return watch;
+    watch->seat_ = std::move(seat);
+    if (watch->connect(port, options.buffer)) return watch;
     why = "it takes no further connection; the log says why";
     return nullptr;
+}
+
+bool PortWatch::connect(RTT::base::OutputPortInterface& port, unsigned buffer) {
+    if (!port.createConnection(*port_, policyFor(0))) return false;
+    if (buffer == 0) return true;
+    // A buffer has its samples from the beginning, so their size must be known before.
+    if (read(first_)) buffer = std::min<unsigned>(buffer, static_cast<unsigned>(kMostMemory / (first_.size() + 1)));
+    if (buffer <= 1) return true;
+    port_->disconnect();
+    first_.clear();
+    return port.createConnection(*port_, policyFor(buffer));
 }
 
 PortWatch::PortWatch(std::unique_ptr<RTT::base::InputPortInterface> port, RTT::base::DataSourceBase::shared_ptr value)
@@ -69,6 +131,10 @@ PortWatch::PortWatch(std::unique_ptr<RTT::base::InputPortInterface> port, RTT::b
 PortWatch::~PortWatch() = default;
 
 bool PortWatch::read(std::string& encoded) {
+    if (!first_.empty()) {
+        encoded = std::exchange(first_, std::string());
+        return true;
+    }
     if (link_.read(address_) != RTT::NewData) return false;
     if (json_) {
         encoded = json_->text(address_);

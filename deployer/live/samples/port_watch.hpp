@@ -28,8 +28,11 @@ class PortWatch {
 public:
     struct Options {
         SampleForm form = SampleForm::Json;
-        /** So many samples wait for read(), older ones are dropped; 0: only the newest. */
+        /** So many samples wait for read(), older ones are dropped; 0: only the newest. Fewer, if the present sample
+            is so large that they would need more than 8 MiB. */
         unsigned buffer = 0;
+        /** Whose it is: one watcher has at most 4 watches of a port, all together 32, because write() serves each. */
+        std::uint64_t watcher = 0;
     };
 
     /** Connects. Null, with the reason, if the port's type has no such form or the port takes no connection. The port
@@ -52,6 +55,8 @@ public:
     RTT::base::DataSourceBase& value() const { return *value_; }
 
 private:
+    class Seat;
+    bool connect(RTT::base::OutputPortInterface& port, unsigned buffer);
     PortWatch(std::unique_ptr<RTT::base::InputPortInterface> port, RTT::base::DataSourceBase::shared_ptr value);
 
     const std::unique_ptr<RTT::base::InputPortInterface> port_;
@@ -59,6 +64,8 @@ private:
     const RTT::base::DataSourceBase::shared_ptr value_;
     void* const address_;
     const std::string type_;
+    std::unique_ptr<const Seat> seat_;
+    std::string first_;  ///< read already, see connect()
     std::shared_ptr<const RTT::encoding::Json> json_;
     std::shared_ptr<const RTT::encoding::Plan> plan_;
 };

@@ -46,6 +46,11 @@ bool mayAsk(const std::string& origin, const std::string& host, bool isLoopback)
     return isThisComputer(from) || (!isLoopback && !from.empty() && from == hostOf(host));
 }
 
+/** The user has named it. */
+bool isNamed(const std::string& origin, const std::vector<std::string>& origins) {
+    return std::any_of(origins.begin(), origins.end(), [&](const auto& each) { return lower(each) == lower(origin); });
+}
+
 /** The value of a parameter of the target, "/?token=…". */
 std::string_view parameter(std::string_view target, std::string_view name) {
     const std::size_t mark = target.find('?');
@@ -89,8 +94,12 @@ Verdict judgeRequest(const RequestHead& head, const WebAccess& access) {
     if (!head.isLocal && head.host.empty()) return {400, "the header Host is missing", ""};
     if (!head.isLocal && access.isLoopback && !isThisComputer(hostOf(head.host)))
         return {403, "this host has no live window; use 127.0.0.1 or localhost", ""};
-    if (!head.origin.empty() && !mayAsk(head.origin, head.host, head.isLocal || access.isLoopback))
-        return {403, "pages of other sites have no access", ""};
+    if (!head.origin.empty() && !mayAsk(head.origin, head.host, head.isLocal || access.isLoopback) &&
+        (head.isLocal || !isNamed(head.origin, access.origins)))
+        return {403,
+                "pages of other sites have no access; the deployer's option --web-origin=https://HOST allows those of "
+                "a site",
+                ""};
     if (head.method != "GET") return {405, "only GET is allowed", ""};
     const std::string path = head.target.substr(0, head.target.find('?'));
     if (path != "/") return {404, "there is nothing here; the WebSocket is at /", ""};

@@ -6,6 +6,7 @@
 #include "transport.hpp"
 
 #include <string>
+#include <vector>
 
 namespace OCL::live {
 
@@ -17,7 +18,8 @@ inline constexpr const char* kFoxglove = "foxglove.websocket.v1";
 /** What a client of the web must know and be. */
 struct WebAccess {
     std::string token;
-    bool isLoopback = true;  ///< then the host, and the origin of a page, must be this computer
+    bool isLoopback = true;            ///< then the host, and the origin of a page, must be this computer
+    std::vector<std::string> origins;  ///< of further pages, "https://view.example:8443"
 };
 
 /**

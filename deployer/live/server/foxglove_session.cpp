@@ -88,7 +88,7 @@ void FoxgloveSession::subscribe(const json& message) {
 
 void FoxgloveSession::watch(Subscription& subscription, bool again) {
     try {
-        subscription.port = client_.host().watch(subscription.path, {SampleForm::Cdr, kBuffer});
+        subscription.port = client_.host().watch(subscription.path, {SampleForm::Cdr, kBuffer, client_.number()});
     } catch (const Failure& failure) {
         if (!again) warn(failure.what());
     }
@@ -116,7 +116,8 @@ void FoxgloveSession::onTick(std::int64_t now) {
         nextTime_ = now + kTimes;
         client_.queue().addSample(0, {foxgloveTime(static_cast<std::uint64_t>(wallTime())), true});
     }
-    if (now < nextPoll_) return;
+    // A client that does not read must not collect answers that it has not asked for.
+    if (now < nextPoll_ || client_.isFull()) return;
     nextPoll_ = now + kPoll;
     model_.poll();
     for (auto& [id, subscription] : subscriptions_)

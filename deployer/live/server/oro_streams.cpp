@@ -86,7 +86,7 @@ void OroStreams::watch(const json& message, const json& id) {
     const unsigned waiting =
         made.period != 0 && message.find("buffer") == message.end() ? 0 : static_cast<unsigned>(buffer);
     try {
-        made.port = client_.host().watch(made.path, {SampleForm::Json, waiting});
+        made.port = client_.host().watch(made.path, {SampleForm::Json, waiting, client_.number()});
     } catch (const Failure& failure) {
         return fail(failure.code(), failure.what());
     }

@@ -46,7 +46,7 @@ private:
 Server::Server(const ServerStart& start)
     : RTT::Activity(ORO_SCHED_OTHER, 0, 0.0, nullptr, "live window"),
       webMay_(start.webMay),
-      web_{start.token, start.webIsLoopback},
+      web_{start.token, start.webIsLoopback, start.webOrigins},
       root_{start.deployer->engine()->gate(), start.deployer->getName()},
       transport_(*this),
       mailbox_(std::make_shared<Mailbox>(transport_)),

@@ -341,11 +341,11 @@ void Transport::Impl::acceptAll(Listener& listener) {
 void Transport::Impl::awaitTick() {
     ticks_.async_wait([this](Error error) {
         if (error || period_.count() == 0 || ending_) return;
-        reception.onTick();
-        if (period_.count() == 0) return;
-        // After a pause of the process, missed ticks are not made up for.
+        // Before onTick(): an exception of it must not be the end of all ticks. After a pause of the process, missed
+        // ticks are not made up for.
         ticks_.expires_at(std::max(ticks_.expiry() + period_, std::chrono::steady_clock::now()));
         awaitTick();
+        reception.onTick();
     });
 }
 

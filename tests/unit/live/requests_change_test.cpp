@@ -3,6 +3,9 @@
 // Changing a deployment: set, call, lifecycle, stop; and what is not allowed.
 #include "requests_fixture.hpp"
 
+#include <live/requests/component_thread.hpp>
+#include <live/requests/failure.hpp>
+
 #include <rtt/extras/SequentialActivity.hpp>
 #include <rtt/extras/SlaveActivity.hpp>
 #include <unit/flow/log_capture.hpp>
@@ -108,8 +111,10 @@ TEST_F(RequestsTest, AWrongCallSaysWhy) {
 }
 
 TEST_F(RequestsTest, ACallThatTakesTooLongIsAnsweredWithAnErrorAndHoldsUpNobody) {
-    EXPECT_EQ("LIV004: component 'Arm' did not end this within 0.1 s; it is still executing it",
-              failure("call", {{"path", "Arm.block"}, {"timeout", 0.1}}));
+    // A part of the time has passed when the component is asked.
+    EXPECT_THAT(failure("call", {{"path", "Arm.block"}, {"timeout", 0.1}}),
+                testing::MatchesRegex("LIV004: component 'Arm' did not end this within 0[.][01][0-9]* s; it is still "
+                                      "executing it"));
     EXPECT_EQ("Deployer", result("show")["name"]);
     arm->release();
     Arm other("Other");
@@ -118,6 +123,69 @@ TEST_F(RequestsTest, ACallThatTakesTooLongIsAnsweredWithAnErrorAndHoldsUpNobody)
                 StartsWith("LIV004: 'oro.call' was not done within 0.1 s"));
     EXPECT_EQ(2.5, result("get", {{"path", "Other.gain"}})["value"]);
     other.release();
+}
+
+TEST_F(RequestsTest, WhatWasNotBegunInTimeIsNotDoneLater) {
+    const auto block = [&](const char* caller) {
+        std::vector<std::future<json>> all;
+        for (int i = 0; i != 8; ++i)
+            all.push_back(askLater({{"op", "oro.call"}, {"path", "Arm.blockHere"}, {"timeout", 5}}, caller));
+        return all;
+    };
+    auto blocked = block("tester");
+    EXPECT_THAT(failure("call", {{"path", "Arm.addHere"}, {"arguments", {1, 2}}, {"timeout", 0.1}}),
+                StartsWith("LIV004: 'oro.call' was not done within 0.1 s"));
+    (void)block("leaver");
+    (void)askLater({{"op", "oro.call"}, {"path", "Arm.addHere"}, {"arguments", {1, 2}}}, "leaver");
+    requests->left("leaver");
+    arm->release();
+    for (auto& each : blocked) EXPECT_EQ("oro.answer", each.get()["op"]);
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    EXPECT_EQ(std::thread::id(), arm->calledIn.load());
+}
+
+TEST_F(RequestsTest, ThreadsOfAClientThatHasLeftAreFreeForOthers) {
+    auto blocked = askLater({{"op", "oro.call"}, {"path", "Arm.block"}, {"timeout", 20}});
+    while (!arm->blocked) std::this_thread::yield();
+    for (int client = 0; client != 16; ++client) {
+        const std::string name = "leaver " + std::to_string(client);
+        for (int i = 0; i != 4; ++i) {
+            (void)askLater({{"op", "oro.get"}, {"path", "Arm.gain"}, {"timeout", 20}}, name);
+            (void)askLater({{"op", "oro.top"}, {"seconds", 10}}, name);
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        requests->left(name);
+    }
+    EXPECT_EQ("Deployer", result("show", {{"timeout", 2}})["name"]);
+    arm->release();
+    EXPECT_EQ("oro.answer", blocked.get()["op"]);
+}
+
+TEST_F(RequestsTest, TheThreadOfAComponentFreesNothing) {
+    static std::atomic<std::thread::id> freed{}, executed{};  // the last message may be freed after this test
+    const auto run = [&](double seconds, int milliseconds) {
+        const std::shared_ptr<int> held(new int(0), [](const int* number) {
+            freed = std::this_thread::get_id();
+            delete number;
+        });
+        try {
+            OCL::live::inThreadOf(arm->engine()->gate(), "Arm", OCL::live::deadlineIn(seconds), [held, milliseconds] {
+                executed = std::this_thread::get_id();
+                std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+            });
+        } catch (const OCL::live::Failure&) {
+        }
+    };
+    for (int i = 0; i != 200; ++i) {
+        run(1, 0);
+        EXPECT_NE(executed.load(), freed.load());
+    }
+    freed = std::thread::id();
+    run(0.01, 50);
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    EXPECT_NE(executed.load(), freed.load());
+    run(1, 0);
+    EXPECT_EQ(std::this_thread::get_id(), freed.load()) << "what is left of the last one is freed by the next";
 }
 
 TEST_F(RequestsTest, ComponentsThatNothingExecutesAreReadAndCalledAllTheSame) {
@@ -169,9 +237,32 @@ TEST_F(RequestsTest, WhatIsNotAllowedNamesTheOption) {
     EXPECT_THAT(failure("call", {{"path", "Arm.add"}}), HasSubstr("--web-allow=operations"));
     EXPECT_THAT(failure("lifecycle", {{"component", "Arm"}, {"do", "start"}}), HasSubstr("--web-allow=lifecycle"));
     for (const char* const verb : {"stop", "line", "complete", "interrupt"})
-        EXPECT_THAT(failure(verb, {{"line", "1"}}), StartsWith("LIV005"));
+        EXPECT_EQ(std::string("LIV005: 'oro.") + verb +
+                      "' is not allowed here; only 'oro' on the same computer, without --url, may do it",
+                  failure(verb, {{"line", "1"}}));
     EXPECT_FALSE(stopped);
     EXPECT_EQ(2.5, result("get", {{"path", "Arm.gain"}})["value"]);
+}
+
+TEST_F(RequestsTest, OperationsAreNoWayAroundOtherPermissions) {
+    rights = {};
+    rights.operations = true;
+    for (const char* const path : {"Arm.start", "Arm.this.start", "Arm.setPeriod", "Arm.loadService", "Deployer.add",
+                                   "this.start", "isRunning", "Arm.Deployer.isRunning"}) {
+        arm->addPeer(deployer.get());
+        EXPECT_THAT(failure("call", {{"path", path}}),
+                    testing::AllOf(StartsWith("LIV005: operation '"), HasSubstr("--web-allow=lifecycle")))
+            << path;
+    }
+    EXPECT_FALSE(arm->isRunning());
+    EXPECT_EQ(false, result("call", {{"path", "Arm.isRunning"}})["value"]);
+    EXPECT_EQ(3, result("call", {{"path", "Arm.add"}, {"arguments", {1, 2}}})["value"]);
+    rights.lifecycle = true;
+    EXPECT_EQ(true, result("call", {{"path", "Arm.start"}})["value"]);
+    ASSERT_TRUE(arm->loadService("scripting"));
+    EXPECT_THAT(failure("call", {{"path", "Arm.scripting.eval"}, {"arguments", {"Arm.stop()"}}}),
+                StartsWith("LIV005: operation 'Arm.scripting.eval' executes scripts"));
+    EXPECT_TRUE(arm->isRunning());
 }
 
 TEST_F(RequestsTest, StopEndsTheDeployment) {

@@ -93,13 +93,13 @@ TEST_F(RequestsTest, ValuesAreReadByTheirPath) {
 
 TEST_F(RequestsTest, AHugeValueIsCut) {
     arm->label.assign(200000, 'x');
-    const json got = result("get", {{"path", "Arm.label"}});
+    const json got = result("get", {{"path", "Arm.label"}, {"timeout", 10}});
     EXPECT_EQ(true, got["cut"]);
     EXPECT_LE(got["text"].get<std::string>().size(), 65536u);
     EXPECT_THAT(got["text"].get<std::string>(), testing::EndsWith("…"));
     arm->list.assign(1000000, 0.123456789);
-    EXPECT_TRUE(result("get", {{"path", "Arm.list"}})["value"].is_null());
-    EXPECT_LE(result("show", {{"path", "Arm"}}).dump().size(), 100000u);
+    EXPECT_TRUE(result("get", {{"path", "Arm.list"}, {"timeout", 10}})["value"].is_null());
+    EXPECT_LE(result("show", {{"path", "Arm"}, {"timeout", 10}}).dump().size(), 100000u);
 }
 
 TEST_F(RequestsTest, WhatIsNotUtf8IsStillAnswered) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 // A deployer with both doors, and clients that mean no good.
-#include "raw_client.hpp"
+#include "target.hpp"
 
 #include <support/child_process.hpp>
 #include <support/temp_dir.hpp>
@@ -17,87 +17,19 @@
 #include <thread>
 #include <vector>
 
+#include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 
 namespace {
 
+using live_test::freePort;
+using live_test::kToken;
 using live_test::RawClient;
+using live_test::Target;
 using nlohmann::json;
-using oroforge::test::ChildProcess;
 namespace fs = std::filesystem;
-
-const std::string kToken = "0123456789abcdef0123456789abcdef";
-
-unsigned freePort() {
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    socklen_t size = sizeof address;
-    const int probe = ::socket(AF_INET, SOCK_STREAM, 0);
-    (void)::bind(probe, reinterpret_cast<sockaddr*>(&address), size);
-    (void)::getsockname(probe, reinterpret_cast<sockaddr*>(&address), &size);
-    (void)::close(probe);
-    return ntohs(address.sin_port);
-}
-
-/** A deployer that has nothing to do. */
-class Target {
-public:
-    explicit Target(std::vector<std::string> words = {}, bool web = true) {
-        const fs::path token = directory.write("token", kToken + "\n");
-        (void)::chmod(token.c_str(), 0600);
-        oroforge::test::Command command;
-        command.program = DEPLOYER_PROGRAM;
-        command.arguments = std::move(words);
-        if (web) {
-            command.arguments.push_back("--web=" + std::to_string(port));
-            command.arguments.push_back("--web-token-file=" + token.string());
-        }
-        command.directory = directory.path();
-        command.environment = {{"XDG_RUNTIME_DIR", directory.path().string()}, {"ORO_LOGFILE", "/dev/null"}};
-        command.inputStaysOpen = true;
-        command.timeout = std::chrono::seconds(30);
-        child = std::make_unique<ChildProcess>(command);
-        if (web) EXPECT_TRUE(child->waitForOutput("live window", std::chrono::seconds(20)));
-        for (int i = 0; i < 1000 && !hasConsole(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    /** Then it has started. */
-    bool hasConsole() const {
-        std::error_code none;
-        for (const auto& task : fs::directory_iterator("/proc/" + std::to_string(child->pid()) + "/task", none)) {
-            std::string name;
-            std::ifstream file(task.path() / "comm");
-            if (std::getline(file, name) && name == "TaskBrowser") return true;
-        }
-        return false;
-    }
-    std::string socketFile() const {
-        const fs::path folder = directory / "oroforge";
-        std::error_code none;
-        for (const auto& entry : fs::directory_iterator(folder, none)) return entry.path();
-        return "";
-    }
-    RawClient local() const { return RawClient::unixSocket(socketFile()); }
-    RawClient web() const { return RawClient::tcp(port); }
-    static std::string target() { return "/?token=" + kToken; }
-    /** It still answers, on both doors. */
-    void expectHealth(const std::string& after) const {
-        RawClient one = local();
-        EXPECT_TRUE(one.open()) << after;
-        EXPECT_TRUE(one.say({{"op", "oro.hello"}, {"id", 1}}));
-        EXPECT_EQ("Deployer", one.hear("oro.answer").value("/result/name"_json_pointer, "")) << after;
-        RawClient other = web();
-        EXPECT_TRUE(other.open("oro.v1", target())) << after;
-        EXPECT_TRUE(other.say({{"op", "oro.hello"}, {"id", 1}}));
-        EXPECT_EQ(json::array(), other.hear("oro.answer")["result"]["allow"]) << after;
-    }
-
-    oroforge::test::TempDir directory;
-    const unsigned port = freePort();
-    std::unique_ptr<ChildProcess> child;
-};
 
 /** The processor time of a process, in s. */
 double timeOf(pid_t process) {
@@ -330,6 +262,24 @@ TEST(LiveAttacks, WithoutFilesItWaits) {
     }
 }
 
+TEST(LiveWindow, ProgramsThatComponentsStartDoNotInheritItsSockets) {
+    const Target target;
+    target.expectHealth("start");
+    const fs::path process = "/proc/" + std::to_string(target.child->pid());
+    int sockets = 0;
+    for (const auto& entry : fs::directory_iterator(process / "fd")) {
+        std::error_code none;
+        if (fs::read_symlink(entry, none).string().compare(0, 7, "socket:") != 0) continue;
+        std::ifstream file(process / "fdinfo" / entry.path().filename());
+        unsigned flags = 0;
+        for (std::string word; file >> word;)
+            if (word == "flags:") file >> std::oct >> flags;
+        ++sockets;
+        EXPECT_NE(0U, flags & O_CLOEXEC) << entry;
+    }
+    EXPECT_GE(sockets, 2);
+}
+
 TEST(LiveWindow, EndsInOrderWhileClientsAreConnected) {
     Target target;
     RawClient local = target.local(), web = target.web(), half = target.web(), gone = target.local();
@@ -377,6 +327,8 @@ TEST(LiveWindow, APortInUseIsAnErrorBeforeAnythingIsDeployed) {
     EXPECT_NE(std::string::npos, runWith({"--web=0.0.0.0:0"}).find("[WEB004]"));
     EXPECT_NE(std::string::npos, runWith({"--web=0", "--web-token-file=none"}).find("none: error: [WEB005]"));
     EXPECT_NE(std::string::npos, runWith({"--web=0", "--web-allow=propertys"}).find("did you mean 'properties'"));
+    EXPECT_NE(std::string::npos, runWith({"--web=0", "--web-origin=view.example"}).find("--web-origin is no site"));
+    EXPECT_NE(std::string::npos, runWith({"--web-origin=https://a"}).find("without --web"));
     EXPECT_NE(std::string::npos, runWith({"--web-allow=operations"}).find("without --web"));
 }
 

@@ -5,6 +5,8 @@
 #include <live/door/unix_address.hpp>
 #include <live/door/web_address.hpp>
 #include <live/server/access.hpp>
+#include <live/server/host.hpp>
+#include <live/server/live_client.hpp>
 #include <live/server/message_queue.hpp>
 #include <live/server/text_depth.hpp>
 #include <support/temp_dir.hpp>
@@ -55,6 +57,67 @@ TEST(MessageQueue, ASampleLargerThanTheLimitDropsAllOthersAndIsKept) {
     queue.forget(2);
     EXPECT_EQ(0U, queue.dropped(2));
     EXPECT_EQ("", drained(queue));
+}
+
+/** One component with a property that is another one each time. */
+class ChangingHost final : public Host, public Link {
+public:
+    void ask(std::uint64_t, const nlohmann::json& request, const Caller&, Then then) override {
+        nlohmann::json result;
+        if (request["op"] == "oro.tree")
+            result["components"] = {{{"name", "Arm"}, {"services", nlohmann::json::array()}}};
+        else
+            result["properties"] = {{{"name", "text"}, {"type", "string"}, {"value", text()}}};
+        then(*client, {{"op", "oro.answer"}, {"id", 0}, {"result", result}});
+    }
+    void forward(std::uint64_t, const nlohmann::json&, const Caller&) override {}
+    std::unique_ptr<PortWatch> watch(const std::string&, const PortWatch::Options&) override { return nullptr; }
+    bool describe(const std::string&, nlohmann::json&, std::string&) override { return false; }
+    void wantsChanged() override {}
+    void wake() override {}
+    std::string text() { return std::string(60000, static_cast<char>('a' + ++asked % 26)); }
+
+    LiveClient* client = nullptr;
+    int asked = 0;
+};
+
+TEST(LiveClient, OneThatDoesNotReadGetsNoEndlessUpdates) {
+    ChangingHost host;
+    LiveClient client(host, 1, {"tester", {}}, host, /*speaksFoxglove=*/true);
+    host.client = &client;
+    client.receive(R"({"op":"subscribeParameterUpdates","parameterNames":["Arm.text"]})", false);
+    for (std::int64_t second = 1; second != 100; ++second) client.onTick(second * 1000000000);
+    std::size_t bytes = 0;
+    for (Frame frame; client.next(frame);) bytes += frame.bytes.size();
+    EXPECT_LT(bytes, 1200000U);
+    EXPECT_GT(bytes, 60000U);
+    client.onTick(200000000000);
+    Frame frame;
+    EXPECT_TRUE(client.next(frame)) << "it goes on when the client reads again";
+}
+
+TEST(Access, PagesOfNamedSitesMayConnect) {
+    WebAccess access{"0123456789abcdef", true, {"https://view.example", "http://10.0.0.5:8080"}};
+    RequestHead head;
+    head.isUpgrade = true;
+    head.method = "GET";
+    head.target = "/?token=0123456789abcdef";
+    head.host = "localhost:8765";
+    const auto status = [&](const char* origin) {
+        head.origin = origin;
+        return judgeRequest(head, access).status;
+    };
+    EXPECT_EQ(101U, status("https://view.example"));
+    EXPECT_EQ(101U, status("https://View.Example"));
+    EXPECT_EQ(101U, status("http://10.0.0.5:8080"));
+    for (const char* other : {"http://view.example", "https://view.example.evil", "https://view.example:444",
+                              "http://10.0.0.5", "https://evil.example", "null"})
+        EXPECT_EQ(403U, status(other)) << other;
+    head.isLocal = true;  // a page does not reach that door
+    EXPECT_EQ(403U, status("https://view.example"));
+    head.isLocal = false;
+    head.target = "/";
+    EXPECT_EQ(401U, status("https://view.example")) << "it needs the token, too";
 }
 
 TEST(TextDepth, CountsWhatIsNotInTexts) {

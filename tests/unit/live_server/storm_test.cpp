@@ -120,6 +120,45 @@ TEST_F(LiveServer, ARateGivesFewerSamplesWithoutDrops) {
     EXPECT_GT(seconds, 0.15);
 }
 
+TEST_F(LiveServer, AClientDoesNotLoadAPortWithWatches) {
+    const auto source = makeSource("Source");
+    RawClient one = client(), other = client();
+    ASSERT_TRUE(one.open() && other.open());
+    const auto watch = [](RawClient& by, int id) {
+        return by.say({{"op", "oro.watch"}, {"id", id}, {"port", "Source.number"}, {"rate", 1}});
+    };
+    for (int id = 1; id != 5; ++id) {
+        ASSERT_TRUE(watch(one, id));
+        EXPECT_EQ(id, one.hear("oro.answer").value("id", 0));
+    }
+    ASSERT_TRUE(watch(one, 5));
+    EXPECT_EQ("port 'Source.number' cannot be watched: you watch it 4 times already",
+              one.hear("oro.error").value("message", ""));
+    ASSERT_TRUE(watch(other, 1));
+    EXPECT_EQ(1, other.hear("oro.answer").value("id", 0));
+    ASSERT_TRUE(one.say({{"op", "oro.unwatch"}, {"id", 6}, {"watch", 1}}));
+    EXPECT_EQ(6, one.hear("oro.answer").value("id", 0));
+    ASSERT_TRUE(watch(one, 7));
+    EXPECT_EQ(7, one.hear("oro.answer").value("id", 0));
+}
+
+TEST_F(LiveServer, LargeSamplesGetAShorterBuffer) {
+    RTT::TaskContext quiet("Quiet");
+    RTT::OutputPort<std::string> text("text");
+    quiet.addPort(text);
+    deployer.addPeer(&quiet);
+    text.write(std::string(100000, 'x'));
+    RawClient one = client();
+    ASSERT_TRUE(one.open());
+    ASSERT_TRUE(one.say({{"op", "oro.watch"}, {"id", 1}, {"port", "Quiet.text"}, {"buffer", 10000}}));
+    EXPECT_EQ(1, one.hear("oro.answer").value("id", 0));
+    ASSERT_TRUE(one.say({{"op", "oro.show"}, {"id", 2}, {"path", "Quiet.text"}}));
+    const json shown = one.hear("oro.answer")["result"]["connections"];
+    EXPECT_NE(std::string::npos, shown.dump().find("83")) << shown;
+    EXPECT_EQ(std::string::npos, shown.dump().find("10000")) << shown;
+    EXPECT_EQ(100000U, one.hear("oro.sample").value("value", "").size());
+}
+
 TEST_F(LiveServer, AWatchEndsWithItsComponent) {
     auto source = makeSource("Source");
     RawClient one = client();
