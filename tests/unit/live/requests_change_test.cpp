@@ -169,7 +169,8 @@ TEST_F(RequestsTest, TheThreadOfAComponentFreesNothing) {
             delete number;
         });
         try {
-            OCL::live::inThreadOf(arm->engine()->gate(), "Arm", OCL::live::deadlineIn(seconds), [held, milliseconds] {
+            const OCL::live::Limit limit{OCL::live::deadlineIn(seconds), seconds};
+            OCL::live::inThreadOf(arm->engine()->gate(), "Arm", limit, [held, milliseconds] {
                 executed = std::this_thread::get_id();
                 std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
             });
