@@ -42,7 +42,7 @@ public:
     }
     void chunk(const ChunkHead& head, const Bytes& record) override {
         flush();
-        waiting_ = true;
+        inChunk_ = true;
         packed_.head = head;
         packed_.before.clear();
         put(packed_.before, head);
@@ -54,9 +54,15 @@ public:
         packed_.packed.assign(packed, packed + head.packedSize);
         packed_.body = packed_.packed.data();
     }
+    void chunkEnd() override {
+        inChunk_ = false;
+        indexMessages(entries_, packed_);
+        entries_.clear();
+        write();
+    }
     void message(const Message& message) override {
         ++result_.messages;
-        if (waiting_) return entries_.push_back({message.channel, message.logTime, message.offset});
+        if (inChunk_) return entries_.push_back({message.channel, message.logTime, message.offset});
         addLoose(message);
     }
 
@@ -82,11 +88,6 @@ private:
         loose_.add(message);
     }
     void flush() {
-        if (std::exchange(waiting_, false)) {
-            indexMessages(entries_, packed_);
-            write();
-        }
-        entries_.clear();
         if (loose_.empty()) return;
         std::string why;
         (void)packed_.pack(loose_, nullptr, why);
@@ -102,7 +103,7 @@ private:
     Salvaged& result_;
     Chunk loose_;
     PackedChunk packed_;
-    bool begun_ = false, waiting_ = false;
+    bool begun_ = false, inChunk_ = false;
     std::vector<Chunk::Entry> entries_;
     std::set<std::uint16_t> schemas_, channels_;
 };

@@ -176,6 +176,7 @@ private:
         visitor_.chunk(chunk_.head(), content_);
         Counting counting(visitor_, result_.problems);
         visitRecords(chunk_, begin, known_, counting);
+        visitor_.chunkEnd();
     }
 
     /** Goes on behind what is damaged, at a chunk that the index names; false if there is none. */

@@ -21,6 +21,8 @@ public:
     virtual void channel(const Channel&) {}
     /** A chunk, before what is in it, whose checksum is right. `record` is the content of the chunk's record. */
     virtual void chunk(const ChunkHead&, const Bytes& record) { (void)record; }
+    /** The end of what is in it. Messages may also come outside chunks. */
+    virtual void chunkEnd() {}
     virtual void message(const Message&) {}
     virtual void metadata(const Metadata&) {}
     /** What is damaged has been left out. */

@@ -198,6 +198,22 @@ TEST_P(Recording, TakesNoMemoryForWhatAChunkPromises) {
     EXPECT_THAT(codesOf(Found(bytes).problems), ElementsAre("MCP005"));
 }
 
+TEST_P(Recording, IsSalvagedWithAMessageBehindAChunk) {
+    Bytes bytes = file.bytes();
+    bytes.resize(file.chunks[1]);
+    Bytes message{static_cast<unsigned char>(Op::Message)};
+    message.resize(kRecordHead + 22);
+    putNumber<std::uint64_t>(&message[1], 22);
+    putNumber<std::uint16_t>(&message[kRecordHead], 1);
+    bytes.insert(bytes.end(), message.begin(), message.end());
+    const Found found(bytes);
+    EXPECT_EQ(51U, found.messages.size());
+    MemorySource source(bytes.data(), bytes.size());
+    MemorySink sink;
+    EXPECT_EQ(51U, salvage(source, sink).messages);
+    EXPECT_EQ(found.messages, Found(sink.bytes).messages);
+}
+
 TEST_P(Recording, IsSalvaged) {
     Bytes bytes = file.bytes();
     bytes[file.chunks[2] + 100] ^= 1U;
