@@ -79,6 +79,21 @@ const Form& withoutShown(const Form& form) { return form.shown ? withoutShown(*f
 
 }  // namespace
 
+const char* sharedNameOf(Shape::Number number) {
+    switch (number) {
+        case Shape::Number::Char: return "char";
+        case Shape::Number::Int8: return "int8";
+        case Shape::Number::UInt8: return "uint8";
+        case Shape::Number::Int16: return "int16";
+        case Shape::Number::UInt16: return "uint16";
+        case Shape::Number::Int32: return "int32";
+        case Shape::Number::UInt32: return "uint32";
+        case Shape::Number::Int64: return "int64";
+        case Shape::Number::UInt64: return "uint64";
+        default: return nullptr;
+    }
+}
+
 types::Shape::Number numberOf(const Form& basic) {
     if (basic.shape.kind == Shape::Kind::Number) return basic.shape.number;
     if (basic.hasBool) return Shape::Number::Bool;

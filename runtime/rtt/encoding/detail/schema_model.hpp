@@ -75,6 +75,8 @@ private:
 
 /** The number that encodes a number or an enumeration; for an enumeration of bool, Bool. */
 types::Shape::Number numberOf(const Form& basic);
+/** What both languages call it: "int32"; null for Bool, Float32 and Float64, on which they differ. */
+const char* sharedNameOf(types::Shape::Number number);
 /** How ROS calls the byte of a struct without fields. */
 constexpr const char* kEmptyField = "structure_needs_at_least_one_member";
 /** A text in one line, as a comment needs it. */

@@ -15,19 +15,10 @@ namespace {
 const char* rosType(Shape::Number number) {
     switch (number) {
         case Shape::Number::Bool: return "bool";
-        case Shape::Number::Char: return "char";
-        case Shape::Number::Int8: return "int8";
-        case Shape::Number::UInt8: return "uint8";
-        case Shape::Number::Int16: return "int16";
-        case Shape::Number::UInt16: return "uint16";
-        case Shape::Number::Int32: return "int32";
-        case Shape::Number::UInt32: return "uint32";
-        case Shape::Number::Int64: return "int64";
-        case Shape::Number::UInt64: return "uint64";
         case Shape::Number::Float32: return "float32";
         case Shape::Number::Float64: return "float64";
+        default: return sharedNameOf(number);
     }
-    return "";
 }
 
 std::string typeOf(const SchemaField& field) {
