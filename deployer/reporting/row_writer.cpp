@@ -3,11 +3,11 @@
 #include "row_writer.hpp"
 
 #include "record.hpp"
+#include "writing_thread.hpp"
 
 #include <rtt/Logger.hpp>
 
 #include <chrono>
-#include <csignal>
 #include <exception>
 #include <thread>
 #include <utility>
@@ -24,16 +24,6 @@ constexpr std::chrono::milliseconds kGathering(5);
     waits. */
 constexpr std::chrono::milliseconds kEndCheck(1);
 constexpr std::chrono::seconds kUntilTold(2);
-
-/** Blocks the signals that a closed pipe or a file size limit would send to this thread: they would end the process
-    with all other components, and write() returns an error anyway. */
-void takeNoSignalsOfWriting() {
-    sigset_t signals;
-    sigemptyset(&signals);
-    sigaddset(&signals, SIGPIPE);
-    sigaddset(&signals, SIGXFSZ);
-    (void)pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-}
 
 }  // namespace
 

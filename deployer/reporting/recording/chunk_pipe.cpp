@@ -2,10 +2,10 @@
 // Copyright Oroforge contributors
 #include "chunk_pipe.hpp"
 
+#include <reporting/writing_thread.hpp>
 #include <rtt/Logger.hpp>
 
 #include <algorithm>
-#include <csignal>
 #include <new>
 
 namespace OCL::recording {
@@ -15,16 +15,6 @@ namespace {
 constexpr std::size_t kAllChunks = std::size_t(16) << 20;
 constexpr std::size_t kFewest = 3, kMost = 64;
 constexpr std::chrono::seconds kPatience(2);
-
-/** Blocks the signals that a closed pipe or a file size limit would send to this thread: they would end the process
-    with all other components, and write() returns an error anyway. */
-void takeNoSignalsOfWriting() {
-    sigset_t signals;
-    sigemptyset(&signals);
-    sigaddset(&signals, SIGPIPE);
-    sigaddset(&signals, SIGXFSZ);
-    (void)pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-}
 
 }  // namespace
 
@@ -129,7 +119,7 @@ ChunkPipe::Chunk* ChunkPipe::nextFull(std::unique_lock<std::mutex>& lock) {
 }
 
 void ChunkPipe::loop() {
-    takeNoSignalsOfWriting();
+    reporting::takeNoSignalsOfWriting();
     std::unique_lock<std::mutex> lock(mutex_);
     for (;;) {
         if (Chunk* const chunk = nextFull(lock)) {
