@@ -2,9 +2,7 @@
 // Copyright Oroforge contributors
 #include "port_probe.hpp"
 
-#include <rtt/internal/ConnectionManager.hpp>
-#include <rtt/internal/flow/sample_store.hpp>
-#include <rtt/internal/flow/storage_core.hpp>
+#include <rtt/internal/flow/connection_facts.hpp>
 #include <rtt/types/TypeInfo.hpp>
 #include <rtt/types/Types.hpp>
 
@@ -77,15 +75,6 @@ PortProbe::~PortProbe() {
     meter_.ports()->removePort(port_->getName());
 }
 
-std::uint64_t PortProbe::dropped() const {
-    std::uint64_t sum = 0;
-    for (const auto& connection : port_->getManager()->getConnections())
-        for (RTT::base::ChannelElementBase::shared_ptr at = boost::get<1>(connection); at; at = at->getInput())
-            if (const RTT::internal::StorageCore* const core = at->storageCore()) {
-                sum += core->store().dropped();
-                break;
-            }
-    return sum;
-}
+std::uint64_t PortProbe::dropped() const { return RTT::internal::droppedSamples(*port_); }
 
 }  // namespace OCL::console

@@ -10,6 +10,7 @@
 #include <rtt/TaskContext.hpp>
 #include <rtt/base/OutputPortInterface.hpp>
 #include <rtt/internal/ConnectionManager.hpp>
+#include <rtt/internal/flow/connection_facts.hpp>
 #include <rtt/internal/flow/sample_type_name.hpp>
 
 #include <map>
@@ -24,16 +25,6 @@ namespace {
 
 using RTT::base::OutputPortInterface;
 using RTT::base::PortInterface;
-
-/** A short text for the policy, as people would say it. */
-std::string policyText(const RTT::ConnPolicy& policy) {
-    switch (policy.type) {
-        case RTT::ConnPolicy::DATA: return "data";
-        case RTT::ConnPolicy::BUFFER: return "buffer " + std::to_string(policy.size);
-        case RTT::ConnPolicy::CIRCULAR_BUFFER: return "circular buffer " + std::to_string(policy.size);
-        default: return "";
-    }
-}
 
 class Graph {
 public:
@@ -114,7 +105,8 @@ private:
                                                                : dotQuoted(connection.get<0>()->toString());
             std::string text = path + output.getName();
             if (peer) text += " → " + peer->getName();
-            const std::string data = RTT::internal::sampleTypeName(output) + ", " + policyText(connection.get<2>());
+            const std::string data =
+                RTT::internal::sampleTypeName(output) + ", " + RTT::internal::policyText(connection.get<2>());
             text_ << "  " << dotQuoted(component) << " -> " << end << " [label=" << dotTwoLines(text, data) << "];\n";
         }
     }

@@ -27,6 +27,7 @@ foreach(source
     internal/SharedConnection.cpp
     internal/flow/storage_core.cpp
     internal/flow/connection_create.cpp
+    internal/flow/connection_facts.cpp
     internal/flow/connection_join.cpp
     internal/flow/connection_stream.cpp
     internal/flow/sample_type_name.cpp

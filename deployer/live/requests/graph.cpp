@@ -7,6 +7,7 @@
 
 #include <rtt/base/InputPortInterface.hpp>
 #include <rtt/base/OutputPortInterface.hpp>
+#include <rtt/internal/flow/connection_facts.hpp>
 #include <rtt/internal/flow/storage_core.hpp>
 
 #include <utility>
@@ -38,7 +39,7 @@ json connectionJson(const KnownPorts& known, const KnownPorts::Port& at,
     json made = {{"from", isOutput ? own : other},
                  {"to", isOutput ? other : own},
                  {"type", typeOfPort(*at.port)},
-                 {"policy", policyText(connection.get<2>())},
+                 {"policy", RTT::internal::policyText(connection.get<2>())},
                  {"samples", nullptr},
                  {"dropped", nullptr}};
     ChannelElementBase::shared_ptr keeps;

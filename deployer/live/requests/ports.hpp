@@ -4,7 +4,6 @@
 #define OROFORGE_LIVE_PORTS_HPP
 
 #include <console/known_ports.hpp>
-#include <rtt/ConnPolicy.hpp>
 
 #include <string>
 
@@ -12,8 +11,6 @@ namespace OCL::live {
 
 using console::KnownPorts;
 
-/** "data", "buffer 10", "circular buffer 10". */
-std::string policyText(const RTT::ConnPolicy& policy);
 std::string typeOfPort(const RTT::base::PortInterface& port);
 
 }  // namespace OCL::live

@@ -10,6 +10,7 @@
 #include <console/scripted.hpp>
 #include <rtt/Attribute.hpp>
 #include <rtt/base/PropertyBase.hpp>
+#include <rtt/internal/flow/connection_facts.hpp>
 #include <rtt/os/fosi.h>
 
 #include <set>
@@ -143,7 +144,8 @@ json showMember(const Asked& asked, const Found& at, const KnownPorts& known) {
         made["kind"] = "port";
         json policies = json::array();
         for (const auto& connection : port->getManager()->getConnections())
-            policies.push_back({{"port", known.partnerOf(connection)}, {"policy", policyText(connection.get<2>())}});
+            policies.push_back(
+                {{"port", known.partnerOf(connection)}, {"policy", RTT::internal::policyText(connection.get<2>())}});
         made["connections"] = std::move(policies);
     } else if (const auto* const part = service.getPart(name)) {
         made = operationJson(*part);

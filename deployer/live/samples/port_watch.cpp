@@ -2,9 +2,7 @@
 // Copyright Oroforge contributors
 #include "port_watch.hpp"
 
-#include <rtt/internal/ConnectionManager.hpp>
-#include <rtt/internal/flow/sample_store.hpp>
-#include <rtt/internal/flow/storage_core.hpp>
+#include <rtt/internal/flow/connection_facts.hpp>
 #include <rtt/types/TypeInfo.hpp>
 
 #include <algorithm>
@@ -147,15 +145,6 @@ bool PortWatch::read(std::string& encoded) {
     return true;
 }
 
-std::uint64_t PortWatch::dropped() {
-    std::uint64_t sum = 0;
-    for (const auto& connection : port_->getManager()->getConnections())
-        for (RTT::base::ChannelElementBase::shared_ptr at = boost::get<1>(connection); at; at = at->getInput())
-            if (const RTT::internal::StorageCore* const core = at->storageCore()) {
-                sum += core->store().dropped();
-                break;
-            }
-    return sum;
-}
+std::uint64_t PortWatch::dropped() { return RTT::internal::droppedSamples(*port_); }
 
 }  // namespace OCL::live

@@ -3,7 +3,7 @@
 #include "recorded_source.hpp"
 
 #include <rtt/Logger.hpp>
-#include <rtt/internal/ConnectionManager.hpp>
+#include <rtt/internal/flow/connection_facts.hpp>
 #include <rtt/internal/flow/sample_store.hpp>
 #include <rtt/internal/flow/storage_core.hpp>
 #include <rtt/types/TypeInfo.hpp>
@@ -74,13 +74,7 @@ mcap::Channel RecordedSource::channel(std::uint16_t id) {
 
 void RecordedSource::findStores() {
     stores_.clear();
-    if (!source_->port()) return;
-    for (const auto& connection : source_->port()->getManager()->getConnections())
-        for (RTT::base::ChannelElementBase::shared_ptr at = boost::get<1>(connection); at; at = at->getInput())
-            if (at->storageCore()) {
-                stores_.push_back(at);
-                break;
-            }
+    if (source_->port()) stores_ = RTT::internal::storagesOf(*source_->port());
 }
 
 std::size_t RecordedSource::dropped() const {

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <rtt/internal/flow/connection_facts.hpp>
+
+#include <rtt/ConnPolicy.hpp>
+#include <rtt/base/PortInterface.hpp>
+#include <rtt/internal/ConnectionManager.hpp>
+#include <rtt/internal/flow/storage_core.hpp>
+
+namespace RTT::internal {
+
+using base::ChannelElementBase;
+
+std::string policyText(const ConnPolicy& policy) {
+    switch (policy.type) {
+        case ConnPolicy::DATA: return "data";
+        case ConnPolicy::BUFFER: return "buffer " + std::to_string(policy.size);
+        case ConnPolicy::CIRCULAR_BUFFER: return "circular buffer " + std::to_string(policy.size);
+        default: return "unbuffered";
+    }
+}
+
+std::vector<ChannelElementBase::shared_ptr> storagesOf(const base::PortInterface& input) {
+    std::vector<ChannelElementBase::shared_ptr> found;
+    for (const auto& connection : input.getManager()->getConnections()) {
+        ChannelElementBase::shared_ptr at = connection.get<1>();
+        while (at && !at->storageCore()) at = at->getInput();
+        if (at) found.push_back(at);
+    }
+    return found;
+}
+
+std::uint64_t droppedSamples(const base::PortInterface& input) {
+    std::uint64_t sum = 0;
+    for (const ChannelElementBase::shared_ptr& at : storagesOf(input)) sum += at->storageCore()->store().dropped();
+    return sum;
+}
+
+}  // namespace RTT::internal

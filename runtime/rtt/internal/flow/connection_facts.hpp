@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// What tools show of connections.
+#ifndef ORO_INTERNAL_CONNECTION_FACTS_HPP
+#define ORO_INTERNAL_CONNECTION_FACTS_HPP
+
+#include <rtt/base/ChannelElementBase.hpp>
+#include <rtt/rtt-config.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace RTT {
+class ConnPolicy;
+namespace base {
+class PortInterface;
+}
+namespace internal {
+
+/** "data", "buffer 10", "circular buffer 10", "unbuffered". */
+RTT_API std::string policyText(const ConnPolicy& policy);
+
+/** For each connection of an input port, the first element before the port that stores samples. Not real-time safe. */
+RTT_API std::vector<base::ChannelElementBase::shared_ptr> storagesOf(const base::PortInterface& input);
+
+/** The number of samples for an input port that found no room, in all its present connections. Not real-time safe. */
+RTT_API std::uint64_t droppedSamples(const base::PortInterface& input);
+
+}  // namespace internal
+}  // namespace RTT
+
+#endif
