@@ -95,10 +95,12 @@ TEST_F(CompletionTest, CommandsTakeAPathThatEndsInADot) {
     answer("cd tank.");
     EXPECT_EQ("tank [U]> ", console->prompt());
     answer("cd ..");
-    EXPECT_EQ(answer("ls tank"), answer("ls tank."));
+    // Its thread may be beginning, and then the attributes that count its steps change.
+    const auto begin = [](const std::string& text) { return text.substr(0, text.find("Attributes")); };
+    EXPECT_EQ(begin(answer("ls tank")), begin(answer("ls tank.")));
     EXPECT_EQ(answer("help tank.level"), answer("help tank.level."));
     EXPECT_EQ(answer("tank.level"), answer("tank.level."));
-    EXPECT_EQ(answer("tank"), answer("tank."));
+    EXPECT_EQ(begin(answer("tank")), begin(answer("tank.")));
     EXPECT_EQ("", err.str());
 }
 
