@@ -72,15 +72,16 @@ Requests& Session::deployment() {
     const std::string url = given_.text("url");
     if (!url.empty() && given_.has("deployment"))
         throw Failure(Status::Usage, "--url and --deployment exclude each other: both choose a deployment");
+    const std::chrono::milliseconds limit = timeLimitOf(given_);
     if (!url.empty()) {
-        requests_ = connectToUrl(url, timeLimitOf(given_));
+        requests_ = connectToUrl(url, limit);
         return *requests_;
     }
     const char* const wanted = std::getenv("ORO_DEPLOYMENT");
     requests_ = connectTo(chosenDeployment(given_.has("deployment") ? given_.text("deployment")
                                            : wanted                 ? wanted
                                                                     : ""),
-                          timeLimitOf(given_));
+                          limit);
     return *requests_;
 }
 
