@@ -36,7 +36,7 @@ TEST(KilledRecorder, LeavesAllButTheLastChunkTime) {
                              compression == Compression::None ? "none" : nameOf(compression)};
         command.environment["ORO_LOGFILE"] = "/dev/null";
         ChildProcess child(command);
-        ASSERT_TRUE(child.waitForOutput("ready", milliseconds(30000)));
+        ASSERT_TRUE(child.waitForOutput("ready", milliseconds(30000))) << child.finish().err;
         std::this_thread::sleep_for(milliseconds(100 + random() % 300));
         child.send(SIGKILL);
         const double end = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
