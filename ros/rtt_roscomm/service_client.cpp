@@ -25,6 +25,15 @@
 
 namespace rtt_roscomm {
 
+// roscpp lets a call wait for ever that begins while its connection is lost, as by a server that has just been killed.
+// Its function that ends calls is private; only an explicit instantiation may name it.
+template <void (ros::ServiceServerLink::*Function)()>
+struct Opened {
+    friend void endCalls(ros::ServiceServerLink& link) { (link.*Function)(); }
+};
+void endCalls(ros::ServiceServerLink& link);
+template struct Opened<&ros::ServiceServerLink::clearCalls>;
+
 namespace {
 
 constexpr std::chrono::milliseconds kMasterAnswers(1000);
@@ -111,10 +120,17 @@ ServiceConnection::Link ServiceConnection::open() const {
     if (!transport->connect(host, static_cast<int>(port))) return nullptr;
     const auto connection = boost::make_shared<ros::Connection>();
     ros::ConnectionManager::instance()->addConnection(connection);
-    const auto link = boost::make_shared<ros::ServiceServerLink>(name_, true, type_.md5, type_.md5, ros::M_string());
     connection->initialize(transport, false, ros::HeaderReceivedFunc());
+    // A connection that was refused before it had this object does not become a dropped one. The server sends nothing
+    // before it has the header.
+    std::uint8_t nothing = 0;
+    if (transport->read(&nothing, 1) < 0) {
+        connection->drop(ros::Connection::TransportDisconnect);
+        return nullptr;
+    }
+    const auto link = boost::make_shared<ros::ServiceServerLink>(name_, true, type_.md5, type_.md5, ros::M_string());
     link->initialize(connection);
-    return link;
+    return connection->isDropped() ? nullptr : link;
 }
 
 bool ServiceConnection::callNow(const SentRequest& sent, ros::SerializedMessage& response) {
@@ -214,6 +230,7 @@ bool ServiceConnection::finish(SentRequest& sent, bool wait) {
         if (!isOwnerStopping()) running = now;
         isEnding = now - running >= kPatienceOfStop;
         isOver = now - begin >= limit;
+        endLostCall();
     }
     sent.isDone = true;
     lock.unlock();
@@ -221,6 +238,15 @@ bool ServiceConnection::finish(SentRequest& sent, bool wait) {
                     : "no response within " + std::to_string(timeout_) + " s");
     giveUp(sent, isEnding);
     return true;
+}
+
+void ServiceConnection::endLostCall() {
+    Link lost;
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        if (current_ && link_ && link_->getConnection()->isDropped()) lost = link_;
+    }
+    if (lost) endCalls(*lost);
 }
 
 /** Does stop() wait for the end of a step? */

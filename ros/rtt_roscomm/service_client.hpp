@@ -73,6 +73,7 @@ private:
     bool callNow(const SentRequest& sent, ros::SerializedMessage& response);
     void giveUp(const SentRequest& sent, bool isEnding);
     bool isOwnerStopping() const;
+    void endLostCall();
     Link connected(std::string& why);
     Link open() const;
     void work();
