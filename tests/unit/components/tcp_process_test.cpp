@@ -58,7 +58,7 @@ if "stay" in sys.argv:
     print("last:", rest[-1].split(" ", 2)[2].rstrip("\n"))
 else:
     connection.sendall(b"QUIT\r\n")
-    print("last:", lines.read().rsplit("\n", 1)[1])
+    print("last:", ("\n" + lines.read()).rsplit("\n", 1)[1])
 )";
 
 class TcpReporter : public testing::Test {
