@@ -41,8 +41,9 @@ TEST_F(RecorderThreads, EveryMessageIsThereOrCounted) {
         if (channel != 1) continue;
         double number = 0;
         std::memcpy(&number, data.data() + 4, sizeof number);
-        // The gaps are where samples are missing, or in front of the sample before, if one is dropped just then.
-        EXPECT_GE(sequence, number);
+        // The gaps are where samples are missing, or in front of the sample before, if one is dropped just then; or
+        // later by one sample, while the thread that dropped it has not counted it yet.
+        EXPECT_GE(sequence + 1, number);
     }
 }
 
