@@ -41,7 +41,7 @@ struct Deployment {
 using Answer = std::function<void(nlohmann::json)>;
 
 /**
- * Answers requests. What may take time happens in threads of its own, of which one client has at most eight. What
+ * Answers requests. Its own threads do what may take time; one client has at most eight of them. What
  * touches the state of a component happens in the thread of that component; if nothing executes it, in one of these
  * threads, between two of its steps.
  *

@@ -26,7 +26,7 @@ public:
     virtual void text(std::string_view text) = 0;
 };
 
-/** The fields of a message, of which the text of a schema with the encoding ros2msg tells. */
+/** The fields of a message, as a schema with the encoding ros2msg describes them. */
 class RosSchema {
 public:
     /** False, with the reason and the line, if the text is not valid. */
