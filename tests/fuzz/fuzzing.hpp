@@ -9,6 +9,10 @@
 #include <dlfcn.h>
 #include <string>
 
+namespace RTT {
+class TaskContext;
+}
+
 /// Ends the program, which libFuzzer takes for a finding.
 inline void require(bool condition, const char* what, const std::string& text = "") {
     if (condition) return;
@@ -20,7 +24,8 @@ inline void require(bool condition, const char* what, const std::string& text = 
 inline void loadTypekit(const char* file) {
     void* library = dlopen(file, RTLD_NOW);
     require(library != nullptr, "the typekit is there");
-    require(reinterpret_cast<bool (*)(void*)>(dlsym(library, "loadRTTPlugin"))(nullptr), "the typekit is loaded");
+    require(reinterpret_cast<bool (*)(RTT::TaskContext*)>(dlsym(library, "loadRTTPlugin"))(nullptr),
+            "the typekit is loaded");
 }
 
 #endif

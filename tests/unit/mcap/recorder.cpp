@@ -49,6 +49,6 @@ int main(int count, char** words) {
     if (count != 3 || __os_init(count, words) != 0) return 2;
     void* const typekit = dlopen(RTT_TYPEKIT_FILE, RTLD_NOW);
     if (!typekit) return 3;
-    if (!reinterpret_cast<bool (*)(void*)>(dlsym(typekit, "loadRTTPlugin"))(nullptr)) return 3;
+    if (!reinterpret_cast<bool (*)(RTT::TaskContext*)>(dlsym(typekit, "loadRTTPlugin"))(nullptr)) return 3;
     return record(words[1], words[2]);
 }
