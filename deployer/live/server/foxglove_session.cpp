@@ -223,7 +223,12 @@ void FoxgloveSession::updateGraph() {
         for (const auto& [topic, ids] : to)
             made["subscribedTopics"].push_back({{"name", topic}, {"subscriberIds", ids}});
         const std::string text = textOf(made);
-        if (text != std::exchange(lastGraph_, text)) client_.sendText(text);
+        if (text == std::exchange(lastGraph_, text)) return;
+        for (const std::string& topic : graphTopics_)
+            if (from.count(topic) == 0) made["removedTopics"].push_back(topic);
+        graphTopics_.clear();
+        for (const auto& one : from) graphTopics_.insert(one.first);
+        client_.sendText(textOf(made));
     });
 }
 

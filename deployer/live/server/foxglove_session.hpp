@@ -64,6 +64,7 @@ private:
     Parameters lastValues_;  // of those
     bool wantsGraph_ = false, isUpdating_ = false;
     std::string lastGraph_;
+    std::set<std::string> graphTopics_;  // those that the client knows
     std::int64_t nextPoll_ = 0, nextTime_ = 0;
 };
 
