@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Types as texts for programs that do not know them. Whether such programs read them is in tests/mcap_judges.
+// Types as texts for programs that do not know them. Whether such programs read them is in tests/judges.
 #include "encoded_types.hpp"
 
 #include <rtt/encoding/SchemaText.hpp>

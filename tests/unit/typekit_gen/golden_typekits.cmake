@@ -127,7 +127,7 @@ if(TARGET orocos-ocl-reporting-mcap)
     LABELS judges
     LIBS orocos-rtt orocos-rtt-encoding orocos-ocl-reporting-mcap oroforge_mcap oroforge_test_support
     DEFINITIONS GOLDEN_TYPEKIT_DIR="${PROJECT_BINARY_DIR}/tests/lib" GOLDEN_TYPEKITS="${golden_cases}" RTT_TYPEKIT_FILE="$<TARGET_FILE:rtt-typekit>"
-      JUDGES_DIR="${PROJECT_BINARY_DIR}/tests/mcap_judges" JUDGE="${PROJECT_SOURCE_DIR}/tests/mcap_judges/judge.mjs"
+      JUDGES_DIR="${PROJECT_BINARY_DIR}/tests/judges" JUDGE="${PROJECT_SOURCE_DIR}/tests/judges/recording.mjs"
     DEPENDS rtt-typekit ${golden_typekits}
     ENVIRONMENT ORO_LOGLEVEL=0 ORO_LOGFILE=/dev/null)
 endif()

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 // Values of every type of the golden typekits are recorded, and read by the libraries of MCAP and Foxglove
-// (tests/mcap_judges), which know nothing of us: they find what our JSON says. `./dev judges` installs those libraries.
+// (tests/judges), which know nothing of us: they find what our JSON says. `./dev judges` installs those libraries.
 #include <ocl/McapReporting.hpp>
 #include <reporting/mcap/salvage.hpp>
 #include <rtt/TaskContext.hpp>

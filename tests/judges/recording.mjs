@@ -2,9 +2,9 @@
 // Copyright Oroforge contributors
 // Reads recordings with the libraries of MCAP and Foxglove, and compares them with what was written.
 //
-//   node judge.mjs values FILE EXPECTED   EXPECTED: a line {"topic", "value"} for each message, in order
-//   node judge.mjs stream FILE            messages that a reader finds which goes from the beginning, for files without end
-//   node judge.mjs count FILE             messages of each topic by the index, and the gaps in their sequence numbers
+//   node recording.mjs values FILE EXPECTED   EXPECTED: a line {"topic", "value"} for each message, in order
+//   node recording.mjs stream FILE            messages that a reader finds which goes from the beginning, for files without end
+//   node recording.mjs count FILE             messages of each topic by the index, and the gaps in their sequence numbers
 //
 // It prints JSON; its exit status is 1 if something differs or cannot be read.
 import { createRequire } from "node:module";

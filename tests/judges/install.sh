@@ -1,18 +1,19 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Copyright Oroforge contributors
-# Installs the readers that judge recordings into FOLDER; exit status 77, with the reason, if npm or its registry is absent.
+# Installs the libraries that judge recordings and the live window into FOLDER; exit status 77, with the reason, if npm or its
+# registry is absent.
 set -euo pipefail
 [ $# = 1 ] || { echo "usage: install.sh FOLDER" >&2; exit 2; }
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 for program in node npm; do
-  command -v $program > /dev/null || { echo "left out: recordings are not judged by others, because $program is not installed"; exit 77; }
+  command -v $program > /dev/null || { echo "left out: others do not judge what we write, because $program is not installed"; exit 77; }
 done
 mkdir -p "$1"
 cd "$1"
 if [ -d node_modules ] && cmp -s "$here/package-lock.json" package-lock.json; then exit 0; fi
 if ! timeout 60 npm ping > ping.log 2>&1; then
-  echo "left out: recordings are not judged by others, because npm does not reach its registry:"
+  echo "left out: others do not judge what we write, because npm does not reach its registry:"
   tail -n 3 ping.log
   exit 77
 fi
