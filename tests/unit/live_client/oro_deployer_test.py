@@ -4,10 +4,11 @@
 import json
 import os
 import select
+import shutil
 import signal
 import subprocess
 
-from oro_case import ORO, OroCase, main
+from oro_case import ORO, OroCase, main, terminal
 
 SCRIPT = """
 import("filling")
@@ -189,6 +190,30 @@ class Deployed(OroCase):
                  'echo "${COMPREPLY[*]}"'
         shell = subprocess.run(["bash", "-c", script], env=self.own(), text=True, capture_output=True, timeout=10, check=True)
         self.assertEqual("tank.level\n", shell.stdout)
+
+    def own_shell(self, name):
+        program = shutil.which(name)
+        if not program:
+            self.skipTest(f"{name} is not installed")
+        return program, {**self.environment, "PATH": f"{os.path.dirname(ORO)}:{os.environ['PATH']}"}
+
+    def test_fish_completes_names(self):
+        fish, environment = self.own_shell("fish")
+        script = 'oro completion fish | source; complete -C "oro echo tank.le"; complete -C "oro get ta"; complete -C "oro sta"'
+        shell = subprocess.run([fish, "-c", script], env=self.own(**environment), text=True, capture_output=True, timeout=20,
+                               check=True)
+        self.assertEqual("tank.level\tWhat is in it. [m3]\ntank.\tRunning\nstart\tstarts a component\n", shell.stdout)
+
+    def test_zsh_completes_names(self):
+        zsh, environment = self.own_shell("zsh")
+        with terminal.Program([zsh, "-f", "-i"], self.directory, environment, 100) as shell:
+            shell.send('PS1="> "; autoload -U compinit; compinit -u -D; eval "$(oro completion zsh)"; echo be""gun\r')
+            shell.wait_for("begun\n>")
+            for typed, completed in ("oro echo tank.le", "oro echo tank.level "), ("oro get ta", "oro get tank."):
+                shell.send(f"{typed}\t")
+                shell.wait_for(f"> {completed}".rstrip())
+                shell.send("\x15")
+                shell.wait_for_prompt("> ")
 
 
 class OnTheNetwork(OroCase):
