@@ -57,6 +57,7 @@ LAYER_OF = {
     "deployer/reporting/": "reporting",
     "deployer/reporting/mcap/": "mcap",     # the file format alone
     "deployer/reporting/mcap_tool/": "mcap_tool",
+    "deployer/replay/": "replay",
     "deployer/logging/": "logging",
     "deployer/components/": "components",
     "deployer/chain/": "chain",
@@ -131,6 +132,7 @@ MAY_INCLUDE = {
     "mcap": set(),
     "mcap_tool": {"diag", "mcap"},          # a program without the runtime
     "reporting": DEPLOYER | {"encoding", "mcap"},
+    "replay": DEPLOYER | {"encoding", "mcap"},
     "logging": DEPLOYER,
     "components": DEPLOYER,
     "chain": DEPLOYER,
@@ -197,7 +199,7 @@ def shared_headers():
 # Installed headers: a user's compiler must find all that they include.
 INSTALLED = ["runtime/rtt/", "deployer/ocl/"]
 NOT_INSTALLED = ["runtime/cpf/", "runtime/diag/", "runtime/files/", "runtime/report/", "runtime/xml/", "runtime/rtt/typekit/detail/", "deployer/deployment/",
-                 "deployer/console/", "deployer/live/", "deployer/lua/", "deployer/reporting/", "deployer/logging/",
+                 "deployer/console/", "deployer/live/", "deployer/lua/", "deployer/reporting/", "deployer/replay/", "deployer/logging/",
                  "deployer/components/", "deployer/chain/", "deployer/rt_check/", "deployer/bin/", "generator/", "typekit_gen/",
                  *shared_headers()]
 
