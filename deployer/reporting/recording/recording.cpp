@@ -142,8 +142,10 @@ bool Recording::begin() {
     const auto onLoss = [this, told = false]() mutable {
         if (failed() && !std::exchange(told, true)) options_.onFailure();
     };
-    pipe_.reset(
-        new ChunkPipe({options_.component + ".Writer", options_.chunkSize, options_.chunkTime}, *taker, onLoss));
+    // In simulated time, real time must not decide where chunks end, nor what is lost.
+    const bool isExact = !options_.realtime && !RTT::os::TimeService::Instance()->systemClockEnabled();
+    pipe_.reset(new ChunkPipe({options_.component + ".Writer", options_.chunkSize, options_.chunkTime, isExact}, *taker,
+                              onLoss));
     writeRow();
     if (states_) states_->add(*pipe_, now());
     return true;
