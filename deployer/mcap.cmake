@@ -12,7 +12,9 @@ endif()
 add_library(oroforge_mcap STATIC
   reporting/mcap/chunk.cpp
   reporting/mcap/compression.cpp
+  reporting/mcap/contents.cpp
   reporting/mcap/crc32.cpp
+  reporting/mcap/in_order.cpp
   reporting/mcap/records.cpp
   reporting/mcap/salvage.cpp
   reporting/mcap/scan.cpp
