@@ -33,6 +33,20 @@ foreach(library ZSTD LZ4)
   endif()
 endforeach()
 
+# What the messages of a recording consist of.
+add_library(oroforge_message_schema STATIC
+  reporting/schema/detail/idl_number.cpp
+  reporting/schema/detail/idl_parser.cpp
+  reporting/schema/detail/idl_reader.cpp
+  reporting/schema/detail/idl_text.cpp
+  reporting/schema/detail/idl_tokens.cpp
+  reporting/schema/detail/idl_types.cpp
+  reporting/schema/detail/ros_text.cpp
+  reporting/schema/message_schema.cpp
+  reporting/schema/message_walk.cpp)
+target_include_directories(oroforge_message_schema PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
+set_target_properties(oroforge_message_schema PROPERTIES POSITION_INDEPENDENT_CODE ON)
+
 oroforge_component_library(reporting-mcap
   reporting/recording/McapReporting.cpp
   reporting/recording/chunk_pipe.cpp
@@ -63,8 +77,6 @@ add_executable(oro-mcap
   reporting/mcap_tool/new_file.cpp
   reporting/mcap_tool/opened_file.cpp
   reporting/mcap_tool/options.cpp
-  reporting/mcap_tool/recover.cpp
-  reporting/mcap_tool/ros_message.cpp
-  reporting/mcap_tool/ros_schema.cpp)
-target_link_libraries(oro-mcap PRIVATE oroforge_mcap oroforge_diag CLI11::CLI11)
+  reporting/mcap_tool/recover.cpp)
+target_link_libraries(oro-mcap PRIVATE oroforge_mcap oroforge_message_schema oroforge_diag CLI11::CLI11)
 install(TARGETS oro-mcap RUNTIME DESTINATION bin COMPONENT runtime)
