@@ -61,6 +61,23 @@ target_link_libraries(orocos-ocl-reporting-mcap
   PRIVATE orocos-rtt-encoding $<BUILD_INTERFACE:oroforge_mcap> $<BUILD_INTERFACE:oroforge_diag>)
 target_compile_definitions(orocos-ocl-reporting-mcap PRIVATE OROFORGE_VERSION="${PROJECT_VERSION}")
 
+# What repeats them. A deployer loads it when it is needed (replay/player.hpp).
+oroforge_component_library(replay
+  replay/component/McapReplay.cpp
+  replay/component/components.cpp
+  replay/component/replay_options.cpp
+  replay/component/replay_ports.cpp
+  replay/player/message_decoder.cpp
+  replay/player/module.cpp
+  replay/player/recorded_channel.cpp
+  replay/player/recording_player.cpp
+  replay/player/repeated_port.cpp
+  replay/player/transcoder.cpp
+  replay/player/type_difference.cpp)
+target_link_libraries(orocos-ocl-replay
+  PRIVATE orocos-rtt-encoding $<BUILD_INTERFACE:oroforge_mcap> $<BUILD_INTERFACE:oroforge_message_schema>
+    $<BUILD_INTERFACE:oroforge_diag>)
+
 # The program that reads recordings.
 find_package(CLI11 QUIET)
 if(NOT CLI11_FOUND)

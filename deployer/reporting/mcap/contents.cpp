@@ -119,7 +119,7 @@ Contents readContents(Source& source, const Report& report) {
     (void)scan(source, scanning);
     scanning.finish();
     // Of a file that is not whole, scan() says why.
-    if (problem && !reported) report(problem);
+    if (problem && !reported && !summary.isAbsent) report(problem);
     return contents;
 }
 
