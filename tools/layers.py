@@ -57,6 +57,7 @@ LAYER_OF = {
     "deployer/reporting/": "reporting",
     "deployer/reporting/mcap/": "mcap",     # the file format alone
     "deployer/reporting/mcap_tool/": "mcap_tool",
+    "deployer/reporting/schema/": "message_schema",     # what messages consist of, by the text in the file
     "deployer/replay/": "replay",
     "deployer/schedule/": "schedule",
     "deployer/logging/": "logging",
@@ -131,9 +132,10 @@ MAY_INCLUDE = {
     "live_server": DEPLOYER | {"encoding", "live_door", "live_requests", "live_samples"},
     "lua": DEPLOYER,
     "mcap": set(),
-    "mcap_tool": {"diag", "mcap"},          # a program without the runtime
+    "message_schema": set(),
+    "mcap_tool": {"diag", "mcap", "message_schema"},    # a program without the runtime
     "reporting": DEPLOYER | {"encoding", "mcap"},
-    "replay": DEPLOYER | {"encoding", "mcap"},
+    "replay": DEPLOYER | {"encoding", "mcap", "message_schema"},
     "schedule": DEPLOYER | {"replay"},
     "logging": DEPLOYER,
     "components": DEPLOYER,

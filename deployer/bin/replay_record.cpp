@@ -47,6 +47,7 @@ ReplayRecord::ReplayRecord(const std::string& file, DeploymentComponent& deploye
     }
     set<std::string>(*recorder_, "ReportFile", file);
     set<std::string>(*recorder_, "Clock", "component");
+    set<bool>(*recorder_, "Reproducible", true);
     RTT::OperationCaller<bool(std::string, std::string)> report(recorder_->getOperation("reportPort"));
     for (const std::string& name : deployer.getPeerList()) {
         RTT::TaskContext* const peer = deployer.getPeer(name);

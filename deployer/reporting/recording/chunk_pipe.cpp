@@ -21,7 +21,7 @@ constexpr std::chrono::seconds kPatience(2);
 ChunkPipe::ChunkPipe(const Options& options, ChunkTaker& taker, std::function<void()> onLoss)
     : RTT::Activity(ORO_SCHED_OTHER, 0, 0.0, nullptr, options.name),
       chunkTime_(static_cast<std::chrono::nanoseconds::rep>(options.chunkTime * 1e9)),
-      exact_(options.exact),
+      isReproducible_(options.isReproducible),
       taker_(taker),
       onLoss_(std::move(onLoss)) {
     const std::size_t count = std::clamp(kAllChunks / std::max<std::size_t>(options.chunkSize, 1), kFewest, kMost);
@@ -49,7 +49,7 @@ bool ChunkPipe::awaitNext(std::unique_lock<std::mutex>& lock) {
 }
 
 bool ChunkPipe::getOpen(std::unique_lock<std::mutex>& lock) {
-    if (exact_) return open_ || awaitNext(lock);
+    if (isReproducible_) return open_ || awaitNext(lock);
     if (!open_ && !free_.empty()) {
         open_ = free_.back();
         free_.pop_back();
@@ -87,6 +87,8 @@ unsigned char* ChunkPipe::Filling::placeFor(std::size_t size) {
 void ChunkPipe::Filling::add(const oroforge::mcap::Message& message) {
     if (pipe_.open_->empty()) pipe_.openSince_ = Clock::now();
     pipe_.open_->add(message);
+    const auto span = static_cast<std::uint64_t>(pipe_.chunkTime_.count());
+    if (pipe_.isReproducible_ && message.logTime >= pipe_.open_->start() + span) pipe_.handOver();
 }
 
 bool ChunkPipe::save() {
@@ -119,8 +121,9 @@ void ChunkPipe::finish() {
 ChunkPipe::Chunk* ChunkPipe::nextFull(std::unique_lock<std::mutex>& lock) {
     for (;;) {
         const bool isOpen = open_ && !open_->empty();
-        const Clock::time_point due = isOpen ? openSince_ + chunkTime_ : Clock::now() + chunkTime_;
-        const bool isWanted = ending_ || saves_ != saved_ || (!exact_ && Clock::now() >= due);
+        const bool isTimed = isOpen && !isReproducible_;
+        const Clock::time_point due = isTimed ? openSince_ + chunkTime_ : Clock::now() + chunkTime_;
+        const bool isWanted = ending_ || saves_ != saved_ || Clock::now() >= due;
         if (full_.empty() && isOpen && isWanted) handOver();
         if (!full_.empty()) {
             Chunk* const first = full_.front();
@@ -128,10 +131,7 @@ ChunkPipe::Chunk* ChunkPipe::nextFull(std::unique_lock<std::mutex>& lock) {
             return first;
         }
         if (ending_ || saves_ != saved_) return nullptr;
-        if (exact_)
-            wake_.wait(lock);
-        else
-            (void)wake_.wait_until(lock, due);
+        (void)wake_.wait_until(lock, due);
     }
 }
 
@@ -148,7 +148,7 @@ void ChunkPipe::loop() {
             chunk->clear();
             lock.lock();
             free_.push_back(chunk);
-            freed_.notify_all();
+            freed_.notify_one();
         } else if (saves_ != saved_) {
             const unsigned last = saves_;
             lock.unlock();

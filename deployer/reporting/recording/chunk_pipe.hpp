@@ -35,7 +35,7 @@ public:
  *     reporter: Filling ──► open chunk ──full, or as old as ChunkTime──► ChunkTaker        (this thread)
  *
  * There is a fixed number of chunks. While all of them wait for the disk, messages are lost, and counted; the reporter
- * never waits for it. (Unless `exact`.)
+ * never waits for it, unless the recording is to be reproducible.
  */
 class ChunkPipe final : public RTT::Activity {
 public:
@@ -43,9 +43,9 @@ public:
         std::string name;       ///< of the thread
         std::size_t chunkSize;  ///< in bytes
         double chunkTime;       ///< in seconds
-        /** Where chunks end depends on the messages alone, and the reporter waits for the disk: in simulated time, the
-            same messages give the same file. */
-        bool exact = false;
+        /** Which messages are in a chunk depends on nothing but themselves: ChunkTime is that of their times, and the
+            thread that adds them waits until a chunk is free. */
+        bool isReproducible = false;
     };
     /** `onLoss` is called by the thread each time when a chunk was not taken. */
     ChunkPipe(const Options& options, ChunkTaker& taker, std::function<void()> onLoss);
@@ -91,8 +91,8 @@ private:
     Chunk* nextFull(std::unique_lock<std::mutex>& lock);
 
     const std::chrono::nanoseconds chunkTime_;
-    const bool exact_;
-    std::size_t next_ = 0;  // if exact: the number of the next open chunk
+    const bool isReproducible_;
+    std::size_t next_ = 0;  // if reproducible: the number of the next open chunk
     ChunkTaker& taker_;
     const std::function<void()> onLoss_;
     std::vector<std::unique_ptr<Chunk>> all_;
