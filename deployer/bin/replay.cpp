@@ -73,20 +73,24 @@ private:
     const int file_;
 };
 
-/** Counts the deliveries, and leaves the player as it is. */
-class Counted final : public replay::TimedSource {
+/** The messages that are repeated, and the end of the recording, which others may be later than. */
+class WholeRecording final : public replay::TimedSource {
 public:
-    explicit Counted(replay::Player& player) : player_(player) {}
-    std::optional<RTT::nsecs> next() override { return player_.next(); }
-    void deliver() override {
-        player_.deliver();
-        ++count_;
+    explicit WholeRecording(replay::Player& player) : player_(player) {}
+    std::optional<RTT::nsecs> next() override {
+        const std::optional<RTT::nsecs> message = player_.next();
+        return message || hasEnded_ ? message : std::optional<RTT::nsecs>(player_.end());
     }
-    unsigned long count() const { return count_; }
+    void deliver() override {
+        if (player_.next())
+            player_.deliver();
+        else
+            hasEnded_ = true;
+    }
 
 private:
     replay::Player& player_;
-    unsigned long count_ = 0;
+    bool hasEnded_ = false;
 };
 
 /** Gives the deployers what the recording has. */
@@ -126,7 +130,7 @@ struct Replay::Impl {
 
     /** A text that has a place and a code of its own. */
     void error(const std::string& text) const { std::cerr << text << std::endl; }
-    void summarize(const schedule::Schedule::Outcome& outcome, unsigned long deliveries, double passed) const;
+    void summarize(const schedule::Schedule::Outcome& outcome, double passed) const;
 };
 
 Replay::Replay(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -147,7 +151,7 @@ std::unique_ptr<Replay> Replay::open(const Options& options, ProgramReport& repo
     }
     impl->lock.emplace(options.replayFile);
     impl->recorded.emplace(*impl->player);
-    impl->schedule.emplace(impl->player->next().value_or(0));
+    impl->schedule.emplace(impl->player->begin());
     impl->schedule->setSpeed(options.replaySpeed);
     return std::unique_ptr<Replay>(new Replay(std::move(impl)));
 }
@@ -162,23 +166,22 @@ bool Replay::run(DeploymentComponent& deployer, RTT::os::SignalCatcher& ending) 
             return false;
         }
     }
-    Counted source(*impl_->player);
+    WholeRecording source(*impl_->player);
     const auto begin = std::chrono::steady_clock::now();
     const schedule::Schedule::Outcome outcome = impl_->schedule->run(source, [&ending] { return ending.caught(); });
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
     const bool recorded = !record || record->finish();
     if (!outcome.error.empty()) impl_->error(outcome.error);
     for (const std::string& problem : impl_->player->problems()) impl_->error(problem);
-    impl_->summarize(outcome, source.count(), passed.count());
+    impl_->summarize(outcome, passed.count());
     return outcome.error.empty() && recorded;
 }
 
-void Replay::Impl::summarize(const schedule::Schedule::Outcome& outcome, unsigned long deliveries,
-                             double passed) const {
+void Replay::Impl::summarize(const schedule::Schedule::Outcome& outcome, double passed) const {
     const double simulated = RTT::nsecs_to_Seconds(outcome.simulated);
-    std::cout << (outcome.isComplete ? "replayed " : "replayed, not to the end, ") << options.replayFile
-              << ": messages at " << deliveries << (deliveries == 1 ? " time" : " times") << ", " << outcome.executions
-              << " executions; " << seconds(simulated) << " s of simulated time in " << seconds(passed) << " s";
+    std::cout << (outcome.isComplete ? "replayed " : "replayed, not to the end, ") << options.replayFile << ": "
+              << player->written() << (player->written() == 1 ? " message; " : " messages; ") << seconds(simulated)
+              << " s of simulated time in " << seconds(passed) << " s";
     if (passed > 0 && simulated > 0) std::cout << " (" << seconds(simulated / passed) << " times real time)";
     std::cout << std::endl;
 }

@@ -125,7 +125,7 @@ ComponentRecord* recordFor(Session& session, const ComponentPlan& component, int
     std::string error;
     const RTT::internal::ActivityFollows follows(component.activity ? name : std::string());  // set later
     if (!(component.isReplaced ? createStandIn(session, component, group, sink, error)
-                               : create(session, name, component.type.value, group, error))) {
+                               : createItself(session, name, component.type.value, group, error))) {
         sink.error(component.name.where, "DEP032", "could not create component '" + name + "': " + error);
         return nullptr;
     }
@@ -142,6 +142,16 @@ void addUnderOwnName(Session& session, RTT::TaskContext& component) {
 
 RTT::TaskContext* create(Session& session, const std::string& name, const std::string& word, int group,
                          std::string& error) {
+    if (!isReplaced(name, word)) return createItself(session, name, word, group, error);
+    ComponentPlan component;
+    component.name.value = name;
+    component.type.value = word;
+    diag::Sink unused;  // it has no connections that could be reported
+    return createStandIn(session, component, group, unused, error);
+}
+
+RTT::TaskContext* createItself(Session& session, const std::string& name, const std::string& word, int group,
+                               std::string& error) {
     if (name.empty()) {
         error = "its name is empty";
         return nullptr;
@@ -153,13 +163,6 @@ RTT::TaskContext* create(Session& session, const std::string& name, const std::s
     if (session.component(name)) {
         error = "a component of that name is already there";
         return nullptr;
-    }
-    if (isReplaced(name, word)) {
-        ComponentPlan component;
-        component.name.value = name;
-        component.type.value = word;
-        diag::Sink unused;  // it has no connections that could be reported
-        return createStandIn(session, component, group, unused, error);
     }
     const std::string type = componentTypeOf(word, error);
     if (!error.empty()) return nullptr;

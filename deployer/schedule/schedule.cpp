@@ -30,7 +30,8 @@ void setTime(RTT::nsecs time) {
 
 }  // namespace
 
-Schedule::Schedule(RTT::nsecs start) : agenda_(std::make_shared<Agenda>()) {
+Schedule::Schedule(RTT::nsecs start)
+    : agenda_(std::make_shared<Agenda>()), isFirst_(TimeService::Instance()->systemClockEnabled()) {
     TimeService::Instance()->enableSystemClock(false);
     setTime(start);
     // Lines of the log begin with the seconds since then.
@@ -44,7 +45,7 @@ Schedule::~Schedule() {
     (void)settle(error);
     RTT::internal::GlobalEngine::Release();
     RTT::internal::OtherOrder::install(nullptr);
-    (void)TimeService::Release();
+    if (isFirst_) (void)TimeService::Release();
 }
 
 Schedule::Outcome Schedule::run(replay::TimedSource& source, const std::function<bool()>& interrupted) {

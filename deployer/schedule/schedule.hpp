@@ -37,7 +37,7 @@ class Schedule {
 public:
     /** Time stands at `start`, in ns as os::TimeService counts. */
     explicit Schedule(RTT::nsecs start);
-    /** Lets time pass again. Components that still exist are not executed any more. */
+    /** Lets time pass again, if it did before. Components that still exist are not executed any more. */
     ~Schedule();
     Schedule(const Schedule&) = delete;
     Schedule& operator=(const Schedule&) = delete;
@@ -68,6 +68,7 @@ private:
     std::string endless();
 
     const std::shared_ptr<Agenda> agenda_;
+    const bool isFirst_;  // to stop the time
     double speed_ = 0;
     std::int64_t wallStart_ = 0;  // monotonic ns
     RTT::nsecs start_ = 0;
