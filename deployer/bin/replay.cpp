@@ -118,7 +118,11 @@ std::string seconds(double value) {
 
 }  // namespace
 
-void standStill() { RTT::os::TimeService::Instance()->enableSystemClock(false); }
+void standStill() {
+    RTT::os::TimeService& time = *RTT::os::TimeService::Instance();
+    time.enableSystemClock(false);
+    (void)time.ticksChange(-time.getTicks());
+}
 
 struct Replay::Impl {
     const Options& options;

@@ -117,15 +117,17 @@ PlanContext surroundingsOf(const Session& session) {
     return result;
 }
 
-/** The record that a struct creates or adds to; null if the component could not be made. */
-ComponentRecord* recordFor(Session& session, const ComponentPlan& component, int group, diag::Sink& sink) {
+/** The record that a struct creates or adds to; null if the component could not be made. Part of the plan goes if a
+    recording stands for it. */
+ComponentRecord* recordFor(Session& session, ComponentPlan& component, int group, diag::Sink& sink) {
     const std::string name =
         session.isDeployer(component.name.value) ? session.deployer->getName() : component.name.value;
     if (RTT::TaskContext* existing = session.component(name)) return &session.recordOf(*existing);
     std::string error;
     const RTT::internal::ActivityFollows follows(component.activity ? name : std::string());  // set later
-    if (!(component.isReplaced ? createStandIn(session, component, group, sink, error)
-                               : createItself(session, name, component.type.value, group, error))) {
+    const bool isPerhapsReplaced = component.isReplaced || component.isReplacedWithoutInput;
+    if (!(isPerhapsReplaced ? createStandIn(session, component, group, sink, error)
+                            : createItself(session, name, component.type.value, group, error))) {
         sink.error(component.name.where, "DEP032", "could not create component '" + name + "': " + error);
         return nullptr;
     }
@@ -142,10 +144,9 @@ void addUnderOwnName(Session& session, RTT::TaskContext& component) {
 
 RTT::TaskContext* create(Session& session, const std::string& name, const std::string& word, int group,
                          std::string& error) {
-    if (!isReplaced(name, word)) return createItself(session, name, word, group, error);
-    ComponentPlan component;
-    component.name.value = name;
-    component.type.value = word;
+    ComponentPlan component = planOf(name, word);
+    if (!component.isReplaced && !component.isReplacedWithoutInput)
+        return createItself(session, name, word, group, error);
     diag::Sink unused;  // it has no connections that could be reported
     return createStandIn(session, component, group, unused, error);
 }
@@ -218,7 +219,7 @@ bool load(Session& session, Plan plan, int group, diag::Sink& sink) {
         RTT::ConnPolicy::Default() = *plan.defaultPolicy;
     }
     applyGlobals(plan.globals, sink);
-    for (const ComponentPlan& component : plan.components) {
+    for (ComponentPlan& component : plan.components) {
         ComponentRecord* record = recordFor(session, component, group, sink);
         if (!record) continue;
         record->optionsGroup = group;

@@ -43,6 +43,24 @@ bool hasInput(const std::string& type, const std::string& port = std::string()) 
            });
 }
 
+/** True if the file does not tell all of its connections. */
+bool isUnclear(const ComponentPlan& component) {
+    return component.ports.empty() || component.autoConnect.value_or(false);
+}
+
+bool isKnown(const std::string& type) { return RTT::ComponentLoader::Instance()->getFactories().count(type) != 0; }
+
+bool hasInput(const RTT::Service& service) {
+    auto& inside = const_cast<RTT::Service&>(service);  // it only has functions that are not const
+    for (RTT::base::PortInterface* const port : inside.getPorts())
+        if (port->asInput()) return true;
+    for (const std::string& name : service.getProviderNames()) {
+        const RTT::Service::shared_ptr inner = inside.getService(name);
+        if (inner && hasInput(*inner)) return true;
+    }
+    return false;
+}
+
 /** Why the component runs; empty if it is replaced. */
 std::string whyReal(const ComponentPlan& component, const std::set<std::string>& masters) {
     const std::string& name = component.name.value;
@@ -55,8 +73,7 @@ std::string whyReal(const ComponentPlan& component, const std::set<std::string>&
         if (!present->hasPort(name, portName)) return "its port '" + portName + "' was not recorded";
         if (hasInput(component.type.value, portName)) return "its port '" + portName + "' is an input";
     }
-    const bool isUnclear = component.ports.empty() || component.autoConnect.value_or(false);
-    return isUnclear && hasInput(component.type.value) ? "it has an input" : "";
+    return isUnclear(component) && hasInput(component.type.value) ? "it has an input" : "";
 }
 
 void keepOnlyPorts(ComponentPlan& component) {
@@ -88,8 +105,14 @@ void setRecordedPorts(RecordedPorts* ports) { present = ports; }
 RecordedPorts* recordedPorts() { return present; }
 bool isStandIn(const RTT::TaskContext& component) { return dynamic_cast<const StandIn*>(&component) != nullptr; }
 
-bool isReplaced(const std::string& name, const std::string& type) {
-    return present && (isRecorder(type) || (present->hasComponent(name) && !hasInput(type)));
+ComponentPlan planOf(const std::string& name, const std::string& type) {
+    ComponentPlan plan;
+    plan.name.value = name;
+    plan.type.value = type;
+    if (!present) return plan;
+    plan.isReplaced = isRecorder(type) || (present->hasComponent(name) && !isKnown(type));
+    plan.isReplacedWithoutInput = !plan.isReplaced && present->hasComponent(name);
+    return plan;
 }
 
 void replaceRecorded(const Session& session, Plan& plan) {
@@ -104,6 +127,10 @@ void replaceRecorded(const Session& session, Plan& plan) {
         if (present->hasComponent(name) && !why.empty())
             RTT::log(RTT::Info) << "component '" << name << "' runs, it is not replayed: " << why << RTT::endlog();
         if (!why.empty()) continue;
+        if (isUnclear(component) && isKnown(component.type.value) && !isRecorder(component.type.value)) {
+            component.isReplacedWithoutInput = true;
+            continue;
+        }
         keepOnlyPorts(component);
         replaced.insert(name);
     }
@@ -113,12 +140,19 @@ void replaceRecorded(const Session& session, Plan& plan) {
                                 component.members.end());
 }
 
-RTT::TaskContext* createStandIn(Session& session, const ComponentPlan& component, int group, diag::Sink& sink,
+RTT::TaskContext* createStandIn(Session& session, ComponentPlan& component, int group, diag::Sink& sink,
                                 std::string& error) {
     const std::string& name = component.name.value;
     if (session.component(name)) {
         error = "a component of that name is already there";
         return nullptr;
+    }
+    if (component.isReplacedWithoutInput) {
+        RTT::TaskContext* const itself = createItself(session, name, component.type.value, group, error);
+        if (!itself) return nullptr;
+        if (hasInput(*itself->provides())) return itself;
+        (void)unloadOne(session, *itself);
+        keepOnlyPorts(component);
     }
     std::map<std::string, std::string> problems;
     const auto made = std::make_shared<StandIn>(name);

@@ -40,19 +40,19 @@ RecordedPorts* recordedPorts();
  * Marks the components of a plan that are replaced, and removes from it what they cannot have: properties, services,
  * scripts, and an activity. A component is replaced if the recording has all of its connected ports, and so none of
  * them is an input; and so is a recorder, which would write over the recording. If neither files nor libraries tell
- * of an input, there is none.
+ * of an input, and its type is known, a component is made and asked.
  */
 void replaceRecorded(const Session& session, Plan& plan);
 
-/** True if a component that is created by itself, as by a script, is replaced. */
-bool isReplaced(const std::string& name, const std::string& type);
+/** For a component that a script creates: how it is replaced. */
+ComponentPlan planOf(const std::string& name, const std::string& type);
 
 /** True if a recording stands for it. */
 bool isStandIn(const RTT::TaskContext& component);
 
-/** Makes what stands for the component, as create() does. Reports ports that it lacks: as errors at those in the plan,
+/** Makes what stands for the component, as create() does; or itself, if it turns out that it has an input. Reports ports that it lacks: as errors at those in the plan,
     as a warning in the log otherwise. Null, with the reason, if the name is taken. */
-RTT::TaskContext* createStandIn(Session& session, const ComponentPlan& component, int group, diag::Sink& sink,
+RTT::TaskContext* createStandIn(Session& session, ComponentPlan& component, int group, diag::Sink& sink,
                                 std::string& error);
 
 }  // namespace OCL::deploy
