@@ -12,7 +12,9 @@ endif()
 add_library(oroforge_mcap STATIC
   reporting/mcap/chunk.cpp
   reporting/mcap/compression.cpp
+  reporting/mcap/contents.cpp
   reporting/mcap/crc32.cpp
+  reporting/mcap/in_order.cpp
   reporting/mcap/records.cpp
   reporting/mcap/salvage.cpp
   reporting/mcap/scan.cpp
@@ -31,6 +33,20 @@ foreach(library ZSTD LZ4)
   endif()
 endforeach()
 
+# What the messages of a recording consist of.
+add_library(oroforge_message_schema STATIC
+  reporting/schema/detail/idl_number.cpp
+  reporting/schema/detail/idl_parser.cpp
+  reporting/schema/detail/idl_reader.cpp
+  reporting/schema/detail/idl_text.cpp
+  reporting/schema/detail/idl_tokens.cpp
+  reporting/schema/detail/idl_types.cpp
+  reporting/schema/detail/ros_text.cpp
+  reporting/schema/message_schema.cpp
+  reporting/schema/message_walk.cpp)
+target_include_directories(oroforge_message_schema PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
+set_target_properties(oroforge_message_schema PROPERTIES POSITION_INDEPENDENT_CODE ON)
+
 oroforge_component_library(reporting-mcap
   reporting/recording/McapReporting.cpp
   reporting/recording/chunk_pipe.cpp
@@ -44,6 +60,23 @@ target_link_libraries(orocos-ocl-reporting-mcap
   PUBLIC orocos-ocl-reporting
   PRIVATE orocos-rtt-encoding $<BUILD_INTERFACE:oroforge_mcap> $<BUILD_INTERFACE:oroforge_diag>)
 target_compile_definitions(orocos-ocl-reporting-mcap PRIVATE OROFORGE_VERSION="${PROJECT_VERSION}")
+
+# What repeats them. A deployer loads it when it is needed (replay/player.hpp).
+oroforge_component_library(replay
+  replay/component/McapReplay.cpp
+  replay/component/components.cpp
+  replay/component/replay_options.cpp
+  replay/component/replay_ports.cpp
+  replay/player/message_decoder.cpp
+  replay/player/module.cpp
+  replay/player/recorded_channel.cpp
+  replay/player/recording_player.cpp
+  replay/player/repeated_port.cpp
+  replay/player/transcoder.cpp
+  replay/player/type_difference.cpp)
+target_link_libraries(orocos-ocl-replay
+  PRIVATE orocos-rtt-encoding $<BUILD_INTERFACE:oroforge_mcap> $<BUILD_INTERFACE:oroforge_message_schema>
+    $<BUILD_INTERFACE:oroforge_diag>)
 
 # The program that reads recordings.
 find_package(CLI11 QUIET)
@@ -61,8 +94,6 @@ add_executable(oro-mcap
   reporting/mcap_tool/new_file.cpp
   reporting/mcap_tool/opened_file.cpp
   reporting/mcap_tool/options.cpp
-  reporting/mcap_tool/recover.cpp
-  reporting/mcap_tool/ros_message.cpp
-  reporting/mcap_tool/ros_schema.cpp)
-target_link_libraries(oro-mcap PRIVATE oroforge_mcap oroforge_diag CLI11::CLI11)
+  reporting/mcap_tool/recover.cpp)
+target_link_libraries(oro-mcap PRIVATE oroforge_mcap oroforge_message_schema oroforge_diag CLI11::CLI11)
 install(TARGETS oro-mcap RUNTIME DESTINATION bin COMPONENT runtime)

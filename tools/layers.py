@@ -57,6 +57,9 @@ LAYER_OF = {
     "deployer/reporting/": "reporting",
     "deployer/reporting/mcap/": "mcap",     # the file format alone
     "deployer/reporting/mcap_tool/": "mcap_tool",
+    "deployer/reporting/schema/": "message_schema",     # what messages consist of, by the text in the file
+    "deployer/replay/": "replay",
+    "deployer/schedule/": "schedule",
     "deployer/logging/": "logging",
     "deployer/components/": "components",
     "deployer/chain/": "chain",
@@ -129,13 +132,16 @@ MAY_INCLUDE = {
     "live_server": DEPLOYER | {"encoding", "live_door", "live_requests", "live_samples"},
     "lua": DEPLOYER,
     "mcap": set(),
-    "mcap_tool": {"diag", "mcap"},          # a program without the runtime
+    "message_schema": set(),
+    "mcap_tool": {"diag", "mcap", "message_schema"},    # a program without the runtime
     "reporting": DEPLOYER | {"encoding", "mcap"},
+    "replay": DEPLOYER | {"encoding", "mcap", "message_schema"},
+    "schedule": DEPLOYER | {"replay"},
     "logging": DEPLOYER,
     "components": DEPLOYER,
     "chain": DEPLOYER,
     "rt_check": set(),                      # preloaded: it must not bring the runtime along
-    "bin": DEPLOYER | {"deployment", "console", "lua", "reporting", "logging", "components", "chain", "rt_check", "corba", "report", "live_client", "live_door", "console_text"},
+    "bin": DEPLOYER | {"deployment", "console", "lua", "reporting", "replay", "schedule", "logging", "components", "chain", "rt_check", "corba", "report", "live_client", "live_door", "console_text"},
     "model": {"diag"},
     "manifest": LEAFS | {"model"},
     "adapters": LEAFS,
@@ -197,7 +203,7 @@ def shared_headers():
 # Installed headers: a user's compiler must find all that they include.
 INSTALLED = ["runtime/rtt/", "deployer/ocl/"]
 NOT_INSTALLED = ["runtime/cpf/", "runtime/diag/", "runtime/files/", "runtime/report/", "runtime/xml/", "runtime/rtt/typekit/detail/", "deployer/deployment/",
-                 "deployer/console/", "deployer/live/", "deployer/lua/", "deployer/reporting/", "deployer/logging/",
+                 "deployer/console/", "deployer/live/", "deployer/lua/", "deployer/reporting/", "deployer/replay/", "deployer/schedule/", "deployer/logging/",
                  "deployer/components/", "deployer/chain/", "deployer/rt_check/", "deployer/bin/", "generator/", "typekit_gen/",
                  *shared_headers()]
 

@@ -3,6 +3,7 @@
 #include "deployer_options.hpp"
 
 #include "../deployment/component_name.hpp"
+#include "option_values.hpp"
 #include "real_time_memory.hpp"
 
 #include <diag/nearest_match.hpp>
@@ -55,6 +56,18 @@ const struct {
     {"rt-check", Takes::Nothing,
      "tell at the end what components with a real-time scheduler allocated, locked or waited for in updateHook(); then "
      "the exit status is 255"},
+    {"replay", Takes::Word,
+     "replay this recording (.mcap) in simulated time: components that only sent what it has are replaced; end when it "
+     "has ended"},
+    {"record", Takes::Word,
+     "record what the components of the replay send to this file; the same replay gives the same bytes"},
+    {"replay-speed", Takes::Word,
+     "how fast simulated time passes, such as 1 for real time or 0.5; without it, as fast as possible"},
+    {"tolerate", Takes::Nothing,
+     "replay messages whose type has other fields now: what was not recorded keeps its default"},
+    {"replay-check", Takes::Nothing,
+     "tell at the end which components use the wall clock, sleep or have threads of their own, so that a replay is not "
+     "exact; then the exit status is 255"},
     {"log4cpp-config", Takes::Word,
      "configure log4cpp by this property file before anything is deployed: levels of categories, and appenders of "
      "log4cpp"},
@@ -212,50 +225,6 @@ void takeLogTime(const std::string& value, Options& options, std::string& error)
         options.logTime = value == "wall" ? RTT::LogTime::Wall : RTT::LogTime::Relative;
 }
 
-const std::vector<std::string> kPermissions = {"properties", "operations", "lifecycle"};
-
-/** Takes "https://view.example,http://10.0.0.5:8080", as browsers write them in the header Origin. */
-void takeOrigins(const std::string& value, Options& options, std::string& error) {
-    std::istringstream words(value);
-    for (std::string word; std::getline(words, word, ',');) {
-        const std::size_t host = word.find("://");
-        const std::string scheme = word.substr(0, host);
-        const bool good = (scheme == "http" || scheme == "https") && host + 3 < word.size() &&
-                          word.find_first_of("/*?# ", host + 3) == std::string::npos;
-        if (good)
-            options.webOrigins.push_back(word);
-        else
-            error = "'" + word +
-                    "' of --web-origin is no site; write http:// or https:// and the host, as "
-                    "https://view.example:8443, without a path";
-    }
-}
-
-/** Takes what concerns the live window. */
-void takeLive(const po::variables_map& values, Options& options, std::string& error) {
-    options.live = !values.count("no-live");
-    if (values.count("web")) options.webAddress = values["web"].as<std::string>();
-    if (values.count("web") && options.webAddress.empty()) error = "the address of --web is empty";
-    if (values.count("web-token-file")) options.webTokenFile = values["web-token-file"].as<std::string>();
-    for (const char* name : {"web-allow", "web-origin", "web-token-file"})
-        if (values.count(name) && !values.count("web"))
-            error = std::string("--") + name + " is of no use without --web";
-    if (values.count("web-origin")) takeOrigins(values["web-origin"].as<std::string>(), options, error);
-    if (!values.count("web-allow")) return;
-    std::istringstream words(values["web-allow"].as<std::string>());
-    for (std::string word; std::getline(words, word, ',');) {
-        if (word == kPermissions[0])
-            options.webProperties = true;
-        else if (word == kPermissions[1])
-            options.webOperations = true;
-        else if (word == kPermissions[2])
-            options.webLifecycle = true;
-        else
-            error = "unknown permission '" + word + "' of --web-allow, expected " + diag::oneOf(kPermissions) +
-                    diag::didYouMean(word, kPermissions);
-    }
-}
-
 bool takeValues(const po::variables_map& values, const std::vector<std::string>& names, Options& options,
                 std::string& error) {
     options.action = values.count("help")      ? Options::ShowHelp
@@ -315,6 +284,7 @@ bool takeValues(const po::variables_map& values, const std::vector<std::string>&
         else
             error = "no number of elements: " + std::to_string(elements);
     }
+    takeReplay(values, options, error);
     takeLive(values, options, error);
     if (values.count("log-time")) takeLogTime(values["log-time"].as<std::string>(), options, error);
     if (!values.count("log-level")) return error.empty();

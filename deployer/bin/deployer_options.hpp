@@ -38,8 +38,13 @@ struct Options {
     int minimumProcessors = 0;
     std::size_t realTimeMemory = 0;  // bytes; 0: not given
     std::size_t maxElements = 0;     // 0: not given
-    bool live = true;                // other programs of this user may look at the deployment
-    std::string webAddress;          // and through this port; empty: there is none
+    std::string replayFile;          // a recording; empty: components run in real time
+    std::string recordFile;          // what its components send; empty: it is not recorded
+    bool tolerate = false;           // recorded types may differ
+    bool replayCheck = false;
+    double replaySpeed = 0;  // 0: as fast as possible
+    bool live = true;        // other programs of this user may look at the deployment
+    std::string webAddress;  // and through this port; empty: there is none
     std::string webTokenFile;
     std::vector<std::string> webOrigins;                                      // sites whose pages may connect
     bool webProperties = false, webOperations = false, webLifecycle = false;  // what they may do there besides looking

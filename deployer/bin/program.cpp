@@ -11,6 +11,7 @@
 #include "program_report.hpp"
 #include "real_time_check.hpp"
 #include "real_time_memory.hpp"
+#include "replay.hpp"
 #include "script_end.hpp"
 
 #include <diag/print.hpp>
@@ -141,6 +142,8 @@ int deploy(const Options& options, const Program& program, std::vector<char*>& w
     setLenient(options.lenient);
     if (options.maxElements != 0) RTT::types::setSizeLimit(options.maxElements);
     const AtEnd atEnd{program.end};
+    std::unique_ptr<Replay> replay;
+    if (!options.replayFile.empty() && !(replay = Replay::open(options, report))) return kFailure;
     LiveWindow listening(options);  // before the site file starts components
     if (listening.failed()) return kFailure;
     const std::unique_ptr<DeploymentComponent> made = program.make(options, words);
@@ -155,7 +158,10 @@ int deploy(const Options& options, const Program& program, std::vector<char*>& w
     scriptEnd.reset();  // scripts of the shutdown have a limit of their own
     bool succeeded = deployed;
     if (!options.endsAtOnce()) {
-        succeeded = program.stay(deployer, *ending, options, deployed) && deployed;
+        if (!replay)
+            succeeded = program.stay(deployer, *ending, options, deployed) && deployed;
+        else
+            succeeded = deployed && replay->run(deployer, *ending);
         ending.reset();  // so that the next signal ends a shutdown that hangs
         deployer.shutdownDeployment();
     }
@@ -233,6 +239,7 @@ int run(int argc, char** argv, const Options& options, const Program& program, P
     }
     if (options.lockMemory)  // after the fork, because locks are not inherited
         if (const std::string problem = lockMemory(); !problem.empty()) report.warning(problem);
+    if (!options.replayFile.empty()) standStill();
     const RTT::Logger::In in(partName(argv[0]));
     if (options.logTime) RTT::Logger::setLogTime(*options.logTime);  // before the first line
     if (options.logLevel >= 0) RTT::Logger::Instance()->setLogLevel(static_cast<RTT::LoggerLevel>(options.logLevel));

@@ -11,6 +11,7 @@
 #include <rtt/extras/PeriodicActivity.hpp>
 #include <rtt/extras/SequentialActivity.hpp>
 #include <rtt/extras/SlaveActivity.hpp>
+#include <rtt/internal/engine/other_order.hpp>
 #include <rtt/os/fosi.h>
 #include <rtt/os/threads.hpp>
 
@@ -115,6 +116,9 @@ bool setActivity(RTT::TaskContext& component, ActivityKind kind, const ActivityN
         error = "the component does not accept it; it cannot be set from the component's own thread";
         return false;
     }
+    // A replay executes in the order of these, whether or not this user may have them for threads.
+    if (ownThread && RTT::internal::OtherOrder::installed())
+        (void)component.getActivity()->thread()->setPriority(numbers.priority);
     if (master && master != &component && !master->hasPeer(component.getName()))
         master->addPeer(&component);  // code of the master finds its slaves among its peers
     return true;

@@ -3,6 +3,7 @@
 #include "component_name.hpp"
 #include "libraries.hpp"
 #include "properties.hpp"
+#include "replaced.hpp"
 #include "scripts.hpp"
 #include "session.hpp"
 #include "validate.hpp"
@@ -52,6 +53,16 @@ bool doImport(const ImportPlan& step, std::string& error) {
     return false;
 }
 
+/** A component that is replaced needs no library; one that runs, and has none, is an error of its own. */
+void reportImport(const ImportPlan& step, const std::string& why, diag::Sink& sink) {
+    const std::string text = "could not " + std::string(step.kind == ImportPlan::Import ? "import" : "load") + " '" +
+                             step.what.value + "': " + why;
+    if (recordedPorts())
+        sink.warning(step.what.where, "DEP030", text + "; the replay goes on without it");
+    else
+        sink.error(step.what.where, "DEP030", text);
+}
+
 void doImports(const Plan& plan, diag::Sink& sink) {
     std::set<std::string> imported;  // by the present search path
     for (const ImportPlan& step : plan.imports) {
@@ -69,9 +80,7 @@ void doImports(const Plan& plan, diag::Sink& sink) {
         if (step.kind == ImportPlan::Path)
             RTT::log(RTT::Info) << "Path '" << step.what.value << "': " << error << RTT::endlog();
         else
-            sink.error(step.what.where, "DEP030",
-                       "could not " + std::string(step.kind == ImportPlan::Import ? "import" : "load") + " '" +
-                           step.what.value + "': " + error);
+            reportImport(step, error, sink);
     }
 }
 
@@ -80,6 +89,7 @@ void doImports(const Plan& plan, diag::Sink& sink) {
 std::vector<std::string> resolveTypes(Plan& plan, diag::Sink& sink) {
     std::vector<std::string> reported;
     for (ComponentPlan& component : plan.components) {
+        if (component.isReplaced) continue;
         std::string error;
         Text& type = component.type;
         type.value = componentTypeOf(type.value, error);
@@ -107,14 +117,17 @@ PlanContext surroundingsOf(const Session& session) {
     return result;
 }
 
-/** The record that a struct creates or adds to; null if the component could not be made. */
-ComponentRecord* recordFor(Session& session, const ComponentPlan& component, int group, diag::Sink& sink) {
+/** The record that a struct creates or adds to; null if the component could not be made. Part of the plan goes if a
+    recording stands for it. */
+ComponentRecord* recordFor(Session& session, ComponentPlan& component, int group, diag::Sink& sink) {
     const std::string name =
         session.isDeployer(component.name.value) ? session.deployer->getName() : component.name.value;
     if (RTT::TaskContext* existing = session.component(name)) return &session.recordOf(*existing);
     std::string error;
     const RTT::internal::ActivityFollows follows(component.activity ? name : std::string());  // set later
-    if (!create(session, name, component.type.value, group, error)) {
+    const bool isPerhapsReplaced = component.isReplaced || component.isReplacedWithoutInput;
+    if (!(isPerhapsReplaced ? createStandIn(session, component, group, sink, error)
+                            : createItself(session, name, component.type.value, group, error))) {
         sink.error(component.name.where, "DEP032", "could not create component '" + name + "': " + error);
         return nullptr;
     }
@@ -131,6 +144,15 @@ void addUnderOwnName(Session& session, RTT::TaskContext& component) {
 
 RTT::TaskContext* create(Session& session, const std::string& name, const std::string& word, int group,
                          std::string& error) {
+    ComponentPlan component = planOf(name, word);
+    if (!component.isReplaced && !component.isReplacedWithoutInput)
+        return createItself(session, name, word, group, error);
+    diag::Sink unused;  // it has no connections that could be reported
+    return createStandIn(session, component, group, unused, error);
+}
+
+RTT::TaskContext* createItself(Session& session, const std::string& name, const std::string& word, int group,
+                               std::string& error) {
     if (name.empty()) {
         error = "its name is empty";
         return nullptr;
@@ -177,11 +199,14 @@ void holdBack(RTT::TaskContext& component) {
 
 bool prepare(const Session& session, Plan& plan, bool planOnly, diag::Sink& sink) {
     doImports(plan, sink);
+    replaceRecorded(session, plan);
     const std::vector<std::string> reported = resolveTypes(plan, sink);
     PlanContext around = surroundingsOf(session);
     around.planOnly = planOnly;
     around.luaFault = [&session](const std::string& file) { return luaFault(*session.deployer, file); };
     around.componentTypes.insert(around.componentTypes.end(), reported.begin(), reported.end());
+    for (const ComponentPlan& component : plan.components)
+        if (component.isReplaced) around.componentTypes.push_back(component.type.value);
     validate(plan, around, sink);
     return !sink.hadErrors();
 }
@@ -194,7 +219,7 @@ bool load(Session& session, Plan plan, int group, diag::Sink& sink) {
         RTT::ConnPolicy::Default() = *plan.defaultPolicy;
     }
     applyGlobals(plan.globals, sink);
-    for (const ComponentPlan& component : plan.components) {
+    for (ComponentPlan& component : plan.components) {
         ComponentRecord* record = recordFor(session, component, group, sink);
         if (!record) continue;
         record->optionsGroup = group;

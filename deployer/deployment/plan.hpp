@@ -80,6 +80,8 @@ struct ComponentPlan {
     std::vector<Text> members;  // of a chain, in their order
     std::vector<ScriptPlan> scripts;
     std::optional<ActivityPlan> activity;
+    // By a recording, see replaced.hpp.
+    bool isReplaced = false, isReplacedWithoutInput = false;
 };
 
 /** A file with everything it includes. Imports precede components, whatever their order in the file. */

@@ -8,6 +8,7 @@
 
 #include <list>
 #include <map>
+#include <memory>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -27,10 +28,11 @@ struct LoadedScript {
 struct ComponentRecord {
     std::string name;
     RTT::TaskContext* instance = nullptr;
-    bool isRemote = false;    // a component of another process, which the end of this one leaves alone
-    bool loadedHere = false;  // false for the deployer itself and for peers that others created
-    int group = 0;            // the group that created it
-    int optionsGroup = 0;     // the group that last gave it options and applies them
+    bool isRemote = false;  // a component of another process, which the end of this one leaves alone
+    std::shared_ptr<RTT::TaskContext> standIn;  // instance, if a recording stands for the component
+    bool loadedHere = false;                    // false for the deployer itself and for peers that others created
+    int group = 0;                              // the group that created it
+    int optionsGroup = 0;                       // the group that last gave it options and applies them
     ComponentPlan plan;
     std::string master;                // the component whose activity executes this one; empty if it is not a slave
     Text loadedFile;                   // the last property file that was applied, which AutoSave writes

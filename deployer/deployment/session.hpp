@@ -60,6 +60,9 @@ bool load(Session& session, Plan plan, int group, diag::Sink& sink);
 /** Creates one component and makes it a peer of the deployer; null with the reason. */
 RTT::TaskContext* create(Session& session, const std::string& name, const std::string& type, int group,
                          std::string& error);
+/** The same, even if a replay has what would stand for it. */
+RTT::TaskContext* createItself(Session& session, const std::string& name, const std::string& type, int group,
+                               std::string& error);
 /** Makes the operation "start", by which scripts start the component, do nothing. */
 void holdBack(RTT::TaskContext& component);
 bool loadService(RTT::TaskContext& component, const std::string& service);

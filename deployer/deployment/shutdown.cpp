@@ -7,6 +7,7 @@
 #include <rtt/OperationCaller.hpp>
 #include <rtt/Property.hpp>
 #include <rtt/TaskContext.hpp>
+#include <rtt/internal/engine/other_order.hpp>
 
 #include <boost/function.hpp>
 
@@ -86,6 +87,7 @@ void shutDownApplication(RTT::TaskContext& deployer) {
                             << endlog();
             return;
         }
+        if (RTT::internal::OtherOrder::executedHere()) continue;
         std::this_thread::sleep_until(
             std::min(end, std::chrono::steady_clock::now() + std::chrono::milliseconds(wait)));
     }

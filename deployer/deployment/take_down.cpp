@@ -10,6 +10,7 @@
 #include <rtt/internal/engine/hook_in_progress.hpp>
 
 #include <exception>
+#include <memory>
 #include <vector>
 
 namespace OCL::deploy {
@@ -85,8 +86,9 @@ bool unloadOne(Session& session, RTT::TaskContext& component) {
     releaseSlaves(session, component);
     session.unloaded(&component);
     if (!isRemote) component.disconnect();
+    const std::shared_ptr<RTT::TaskContext> standIn = record ? record->standIn : nullptr;
     session.records.erase(&component);
-    if (!RTT::ComponentLoader::Instance()->unloadComponent(&component)) return false;
+    if (!standIn && !RTT::ComponentLoader::Instance()->unloadComponent(&component)) return false;
     RTT::log(RTT::Info) << "unloaded component '" << name << "'" << RTT::endlog();
     return true;
 }

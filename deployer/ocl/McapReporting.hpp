@@ -18,7 +18,8 @@ namespace OCL {
  * the messages, and in the metadata of the file. If the process is killed, all but the last ChunkTime seconds can be
  * read.
  *
- * A component that writes to a recorded port has one connection more, and does not wait for this one.
+ * A component that writes to a recorded port has one connection more, and does not wait for this one. With Reproducible
+ * this component waits for the disk; if all run in one thread of simulated time, so do they.
  */
 class OCL_API McapReporting : public ReportingComponent {
 public:
@@ -37,7 +38,7 @@ private:
     std::string compression_, split_, ringSize_ = "1 GB", clock_ = "realtime", schema_ = "auto";
     unsigned int chunkSize_ = 1U << 20;
     double chunkTime_ = 0.5, ring_ = 0;
-    bool rosNames_ = false, states_ = true;
+    bool reproducible_ = false, rosNames_ = false, states_ = true;
 };
 
 }  // namespace OCL

@@ -8,6 +8,7 @@
 #include <rtt/internal/GlobalEngine.hpp>
 #include <rtt/internal/calls/failed.hpp>
 #include <rtt/internal/engine/deferred_activity.hpp>
+#include <rtt/internal/engine/other_order.hpp>
 #include <rtt/internal/engine/topology.hpp>
 #include <rtt/internal/plugin_loading.hpp>
 #include <rtt/os/ThreadInterface.hpp>
@@ -29,6 +30,14 @@ base::ActivityInterface* makeDefaultActivity(const std::string& name) {
     // Without the engine, because others may be triggering that while the activity is being constructed.
     return new Activity(nullptr, name);
 #endif
+}
+
+/** What the component gets instead: a default activity for null, or what a replay executes. */
+base::ActivityInterface::shared_ptr inOrder(base::ActivityInterface::shared_ptr given, const std::string& name) {
+    if (internal::OtherOrder* const order = internal::OtherOrder::installed())
+        return order->replace(std::move(given), name);
+    if (!given) given.reset(makeDefaultActivity(name));
+    return given;
 }
 
 bool isMadeBy(const base::ActivityInterface* owned, const base::ActivityInterface* activity) {
@@ -101,15 +110,14 @@ bool TaskContext::setActivity(base::ActivityInterface* new_act) {
         if (engine()->getActivity() != activity_.get()) engine()->setActivity(activity_.get());
         return false;
     }
-    if (!owned) owned.reset(makeDefaultActivity(getName()));
-    exchangeActivity(std::move(owned));
+    exchangeActivity(inOrder(std::move(owned), getName()));
     return true;
 }
 
 void TaskContext::forceActivity(base::ActivityInterface* new_act) {
     if (!new_act || new_act == activity_.get() || isMadeBy(activity_.get(), new_act)) return;
     if (activity_) activity_->stop();
-    exchangeActivity(base::ActivityInterface::shared_ptr(new_act));
+    exchangeActivity(inOrder(base::ActivityInterface::shared_ptr(new_act), getName()));
 }
 
 void TaskContext::exchangeActivity(base::ActivityInterface::shared_ptr next) {

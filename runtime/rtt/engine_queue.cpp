@@ -6,6 +6,7 @@
 #include <rtt/base/TaskCore.hpp>
 #include <rtt/internal/engine/detail/engine_sleep.hpp>
 #include <rtt/internal/engine/detail/function_removal.hpp>
+#include <rtt/internal/engine/other_order.hpp>
 #include <rtt/os/MutexLock.hpp>
 #include <rtt/os/fosi.h>
 
@@ -16,6 +17,7 @@ namespace RTT {
 using internal::EngineGate;
 using internal::FunctionRemoval;
 using internal::Mailbox;
+using internal::OtherOrder;
 
 namespace {
 constexpr std::int64_t kForever = INT64_MAX;
@@ -177,7 +179,8 @@ bool ExecutionEngine::waitForMessages(const boost::function<bool()>& done, std::
         if (done()) break;
         if (!mailbox_.empty()) continue;
         if (deadline != kForever && rtos_get_time_ns() >= deadline) return false;
-        sleep.until(again ? std::min(deadline, soon(1)) : deadline);
+        if (OtherOrder::executedHere()) continue;
+        sleep.until(again ? std::min(deadline, soon(1)) : OtherOrder::limit(deadline));
     }
     // The trigger of a port may have been used up before we waited.
     for (const Step* step = &here; step; step = step->outer())
@@ -204,8 +207,9 @@ bool ExecutionEngine::waitInStead(const boost::function<bool()>& done, std::int6
         if (done()) break;
         if (mine && !mailbox_.empty()) continue;
         if (deadline != kForever && rtos_get_time_ns() >= deadline) return false;
+        if (OtherOrder::executedHere()) continue;
         // A thread that executes it now may leave work to this thread without a notification.
-        sleep.until(mine && !again ? deadline : std::min(deadline, soon(1)));
+        sleep.until(mine && !again ? OtherOrder::limit(deadline) : std::min(deadline, soon(1)));
     }
     triggerDeferred();
     return true;
@@ -217,7 +221,8 @@ bool ExecutionEngine::waitForMessages(const boost::function<bool()>& done, std::
     while (!done()) {
         const std::uint32_t ticket = gate_->waitPoint.ticket();
         if (done()) return true;
-        gate_->waitPoint.wait(ticket, deadline);
+        if (OtherOrder::executedHere()) continue;
+        gate_->waitPoint.wait(ticket, OtherOrder::limit(deadline));
         if (deadline != kForever && rtos_get_time_ns() >= deadline) return done();
     }
     return true;

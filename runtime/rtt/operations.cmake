@@ -48,6 +48,7 @@ oroforge_unit(orocos-rtt rtt_step ${PROJECT_SOURCE_DIR}/runtime
   rtt/internal/engine/detail/guarded_call.cpp
   rtt/internal/engine/engine_functions.cpp
   rtt/internal/engine/engine_gate.cpp
+  rtt/internal/engine/other_order.cpp
   rtt/internal/engine/function_list.cpp
   rtt/internal/engine/hook_in_progress.cpp
   rtt/internal/engine/script_place.cpp

@@ -40,7 +40,7 @@ public:
     void problem(const Problem& problem) override {
         if (result_.problems.size() < kMostProblems) result_.problems.push_back(problem);
     }
-    void chunk(const ChunkHead& head, const Bytes& record) override {
+    void chunk(const ChunkHead& head, const Bytes& record, std::uint64_t) override {
         flush();
         inChunk_ = true;
         packed_.head = head;

@@ -173,7 +173,7 @@ private:
     }
 
     void visitChunk(std::uint64_t begin) {
-        visitor_.chunk(chunk_.head(), content_);
+        visitor_.chunk(chunk_.head(), content_, begin);
         Counting counting(visitor_, result_.problems);
         visitRecords(chunk_, begin, known_, counting);
         visitor_.chunkEnd();

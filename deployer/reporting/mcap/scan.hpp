@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <set>
+#include <utility>
 
 namespace oroforge::mcap {
 
@@ -19,8 +20,9 @@ public:
     virtual void header(const Header&) {}
     virtual void schema(const Schema&) {}
     virtual void channel(const Channel&) {}
-    /** A chunk, before what is in it, whose checksum is right. `record` is the content of the chunk's record. */
-    virtual void chunk(const ChunkHead&, const Bytes& record) { (void)record; }
+    /** A chunk, before what is in it, whose checksum is right. `record` is the content of the chunk's record, which
+        begins at `offset`. */
+    virtual void chunk(const ChunkHead&, const Bytes& record, std::uint64_t offset) { (void)record, (void)offset; }
     /** The end of what is in it. Messages may also come outside chunks. */
     virtual void chunkEnd() {}
     virtual void message(const Message&) {}
@@ -54,6 +56,8 @@ class ChunkReader {
 public:
     /** A problem if the chunk is damaged. */
     Problem open(const Bytes& content, std::uint64_t offset, const Limits& limits);
+    /** Records that are in no chunk. */
+    void take(Bytes records) { records_ = std::move(records); }
     const ChunkHead& head() const { return head_; }
     /** The records. */
     const Bytes& records() const { return records_; }

@@ -23,6 +23,7 @@ struct Summary {
     std::vector<ChunkIndex> chunks;  ///< in the order of the file
     std::vector<MetadataIndex> metadata;
     Statistics statistics;
+    bool isAbsent = false;  ///< the file is whole, but its writer made none
 };
 
 /** A problem if there is none, or it is damaged; scan() reads such a file. */

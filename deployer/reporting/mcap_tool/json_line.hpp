@@ -3,7 +3,7 @@
 #ifndef OROFORGE_MCAP_TOOL_JSON_LINE_HPP
 #define OROFORGE_MCAP_TOOL_JSON_LINE_HPP
 
-#include "ros_schema.hpp"
+#include <reporting/schema/part_taker.hpp>
 
 #include <cstdio>
 #include <string>
@@ -12,7 +12,7 @@
 namespace oroforge::mcap {
 
 /** A message as JSON on one line. Bytes of texts are written as they are, and nan and inf as texts. */
-class JsonLine : public PartTaker {
+class JsonLine : public schema::PartTaker {
 public:
     std::string line;
 

@@ -13,21 +13,17 @@ constexpr const char* kUnreadable = "MCP012";
 
 }  // namespace
 
-const RosSchema* Decoders::of(const Channel& channel, const Schema* schema) {
+const schema::MessageSchema* Decoders::of(const Channel& channel, const Schema* described) {
     const auto [at, isNew] = known_.try_emplace(channel.id);
     auto& [good, parsed] = at->second;
     if (isNew) {
         std::string why;
         if (channel.encoding != "cdr")
             why = "its messages are encoded as '" + channel.encoding + "', and only cdr is read";
-        else if (!schema)
+        else if (!described)
             why = "the file has no schema for it";
-        else if (schema->encoding != "ros2msg")
-            why = "its type is described as '" + schema->encoding +
-                  "', and only ros2msg is read (see the properties "
-                  "Schema and RosNames of the recorder)";
         else
-            good = parsed.parse(schema->data, why);
+            good = parsed.read(described->encoding, described->name, described->data, why);
         if (!good) {
             failed_ = true;
             std::cerr << file_ << ": error: [" << kUnreadable << "] topic '" << channel.topic << "': " << why << "\n";
@@ -36,8 +32,8 @@ const RosSchema* Decoders::of(const Channel& channel, const Schema* schema) {
     return good ? &parsed : nullptr;
 }
 
-bool Decoders::walk(const Channel& channel, const Schema* schema, const Message& message, PartTaker& taker) {
-    const RosSchema* const decoder = of(channel, schema);
+bool Decoders::walk(const Channel& channel, const Schema* described, const Message& message, schema::PartTaker& taker) {
+    const schema::MessageSchema* const decoder = of(channel, described);
     std::string why;
     if (!decoder) return false;
     if (decoder->walk(message.data, message.size, taker, why)) return true;

@@ -3,9 +3,8 @@
 #ifndef OROFORGE_MCAP_TOOL_LEAVES_HPP
 #define OROFORGE_MCAP_TOOL_LEAVES_HPP
 
-#include "ros_schema.hpp"
-
 #include <reporting/mcap/records.hpp>
+#include <reporting/schema/message_schema.hpp>
 
 #include <map>
 #include <string>
@@ -22,7 +21,7 @@ struct Leaf {
 };
 
 /** The numbers and texts of a message, and the sizes of its empty lists. */
-class Leaves : public PartTaker {
+class Leaves : public schema::PartTaker {
 public:
     std::vector<Leaf> all;
 
@@ -58,15 +57,15 @@ class Decoders {
 public:
     explicit Decoders(std::string file) : file_(std::move(file)) {}
     /** Null if messages of this channel cannot be taken apart. */
-    const RosSchema* of(const Channel& channel, const Schema* schema);
+    const schema::MessageSchema* of(const Channel& channel, const Schema* described);
     /** False, with an error on standard error, if the bytes do not fit. */
-    bool walk(const Channel& channel, const Schema* schema, const Message& message, PartTaker& taker);
+    bool walk(const Channel& channel, const Schema* described, const Message& message, schema::PartTaker& taker);
     /** Some message could not be taken apart. */
     bool failed() const { return failed_; }
 
 private:
     const std::string file_;
-    std::map<std::uint16_t, std::pair<bool, RosSchema>> known_;
+    std::map<std::uint16_t, std::pair<bool, schema::MessageSchema>> known_;
     bool failed_ = false;
 };
 

@@ -36,6 +36,10 @@ McapReporting::McapReporting(const std::string& name) : ReportingComponent(name)
     addProperty("States", states_).doc("Record the states of all peers to the topic /oroforge/states.");
     addProperty("Clock", clock_)
         .doc("The times of messages: realtime, since 1970, or component, that of the TimeService.");
+    addProperty("Reproducible", reproducible_)
+        .doc(
+            "Record nothing of the host, the process and the time of day, and wait for the disk instead of losing "
+            "messages: the same run in simulated time gives the same file. Needs Clock=component.");
     addProperty("RosNames", rosNames_).doc("Give fields names that ROS takes, such as angle_rad instead of angleRad.");
     addProperty("Schema", schema_)
         .doc("How types are described: ros2msg, omgidl, or auto: ros2msg if ROS takes all their names.");
@@ -56,8 +60,8 @@ McapReporting::~McapReporting() { stopForGood(); }
 bool McapReporting::startHook() {
     recording::RecordingOptions options;
     std::string why;
-    const recording::OptionTexts texts = {compression_, split_,     ringSize_,  clock_,
-                                          schema_,      chunkSize_, chunkTime_, ring_};
+    const recording::OptionTexts texts = {compression_, split_,     ringSize_, clock_,       schema_,
+                                          chunkSize_,   chunkTime_, ring_,     reproducible_};
     if (!recording::readOptions(texts, options, why)) {
         RTT::log(RTT::Error) << "'" << getName() << "' does not start: " << why << RTT::endlog();
         return false;

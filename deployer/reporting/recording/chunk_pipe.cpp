@@ -21,6 +21,7 @@ constexpr std::chrono::seconds kPatience(2);
 ChunkPipe::ChunkPipe(const Options& options, ChunkTaker& taker, std::function<void()> onLoss)
     : RTT::Activity(ORO_SCHED_OTHER, 0, 0.0, nullptr, options.name),
       chunkTime_(static_cast<std::chrono::nanoseconds::rep>(options.chunkTime * 1e9)),
+      isReproducible_(options.isReproducible),
       taker_(taker),
       onLoss_(std::move(onLoss)) {
     const std::size_t count = std::clamp(kAllChunks / std::max<std::size_t>(options.chunkSize, 1), kFewest, kMost);
@@ -35,7 +36,20 @@ ChunkPipe::ChunkPipe(const Options& options, ChunkTaker& taker, std::function<vo
 
 ChunkPipe::~ChunkPipe() { finish(); }
 
-bool ChunkPipe::getOpen() {
+// One after another, because a chunk that has grown takes more messages than others.
+bool ChunkPipe::awaitNext(std::unique_lock<std::mutex>& lock) {
+    Chunk* const next = all_[next_].get();
+    const auto isFree = [&] { return std::find(free_.begin(), free_.end(), next) != free_.end(); };
+    freed_.wait(lock, [&] { return isFree() || ended_ || !started_; });
+    if (!isFree()) return false;
+    free_.erase(std::find(free_.begin(), free_.end(), next));
+    open_ = next;
+    next_ = (next_ + 1) % all_.size();
+    return true;
+}
+
+bool ChunkPipe::getOpen(std::unique_lock<std::mutex>& lock) {
+    if (isReproducible_) return open_ || awaitNext(lock);
     if (!open_ && !free_.empty()) {
         open_ = free_.back();
         free_.pop_back();
@@ -50,17 +64,17 @@ void ChunkPipe::handOver() {
 }
 
 unsigned char* ChunkPipe::Filling::place(std::size_t& left) {
-    if (!pipe_.getOpen()) return nullptr;
+    if (!pipe_.getOpen(lock_)) return nullptr;
     left = pipe_.open_->left();
     return pipe_.open_->place(left);
 }
 
 unsigned char* ChunkPipe::Filling::placeFor(std::size_t size) {
-    if (size > kLargestMessage || !pipe_.getOpen()) return nullptr;
+    if (size > kLargestMessage || !pipe_.getOpen(lock_)) return nullptr;
     if (unsigned char* const place = pipe_.open_->place(size)) return place;
     if (!pipe_.open_->empty()) {
         pipe_.handOver();
-        if (!pipe_.getOpen()) return nullptr;
+        if (!pipe_.getOpen(lock_)) return nullptr;
     }
     try {
         pipe_.open_->grow(size);
@@ -73,6 +87,8 @@ unsigned char* ChunkPipe::Filling::placeFor(std::size_t size) {
 void ChunkPipe::Filling::add(const oroforge::mcap::Message& message) {
     if (pipe_.open_->empty()) pipe_.openSince_ = Clock::now();
     pipe_.open_->add(message);
+    const auto span = static_cast<std::uint64_t>(pipe_.chunkTime_.count());
+    if (pipe_.isReproducible_ && message.logTime >= pipe_.open_->start() + span) pipe_.handOver();
 }
 
 bool ChunkPipe::save() {
@@ -105,7 +121,8 @@ void ChunkPipe::finish() {
 ChunkPipe::Chunk* ChunkPipe::nextFull(std::unique_lock<std::mutex>& lock) {
     for (;;) {
         const bool isOpen = open_ && !open_->empty();
-        const Clock::time_point due = isOpen ? openSince_ + chunkTime_ : Clock::now() + chunkTime_;
+        const bool isTimed = isOpen && !isReproducible_;
+        const Clock::time_point due = isTimed ? openSince_ + chunkTime_ : Clock::now() + chunkTime_;
         const bool isWanted = ending_ || saves_ != saved_ || Clock::now() >= due;
         if (full_.empty() && isOpen && isWanted) handOver();
         if (!full_.empty()) {
@@ -131,6 +148,7 @@ void ChunkPipe::loop() {
             chunk->clear();
             lock.lock();
             free_.push_back(chunk);
+            freed_.notify_one();
         } else if (saves_ != saved_) {
             const unsigned last = saves_;
             lock.unlock();
@@ -145,6 +163,7 @@ void ChunkPipe::loop() {
     }
     ended_ = true;
     done_.notify_all();
+    freed_.notify_all();
 }
 
 }  // namespace OCL::recording

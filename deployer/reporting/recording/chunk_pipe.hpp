@@ -35,7 +35,7 @@ public:
  *     reporter: Filling ──► open chunk ──full, or as old as ChunkTime──► ChunkTaker        (this thread)
  *
  * There is a fixed number of chunks. While all of them wait for the disk, messages are lost, and counted; the reporter
- * never waits for it.
+ * never waits for it, unless the recording is to be reproducible.
  */
 class ChunkPipe final : public RTT::Activity {
 public:
@@ -43,6 +43,9 @@ public:
         std::string name;       ///< of the thread
         std::size_t chunkSize;  ///< in bytes
         double chunkTime;       ///< in seconds
+        /** Which messages are in a chunk depends on nothing but themselves: ChunkTime is that of their times, and the
+            thread that adds them waits until a chunk is free. */
+        bool isReproducible = false;
     };
     /** `onLoss` is called by the thread each time when a chunk was not taken. */
     ChunkPipe(const Options& options, ChunkTaker& taker, std::function<void()> onLoss);
@@ -61,7 +64,7 @@ public:
 
     private:
         ChunkPipe& pipe_;
-        const std::unique_lock<std::mutex> lock_;
+        std::unique_lock<std::mutex> lock_;
     };
 
     /** Makes the thread write out what it keeps, and waits for that. False if that fails, or it has ended. */
@@ -82,17 +85,20 @@ private:
     typedef oroforge::mcap::Chunk Chunk;
     typedef std::chrono::steady_clock Clock;
 
-    bool getOpen();
+    bool getOpen(std::unique_lock<std::mutex>& lock);
+    bool awaitNext(std::unique_lock<std::mutex>& lock);
     void handOver();
     Chunk* nextFull(std::unique_lock<std::mutex>& lock);
 
     const std::chrono::nanoseconds chunkTime_;
+    const bool isReproducible_;
+    std::size_t next_ = 0;  // if reproducible: the number of the next open chunk
     ChunkTaker& taker_;
     const std::function<void()> onLoss_;
     std::vector<std::unique_ptr<Chunk>> all_;
 
     std::mutex mutex_;  // guards what follows
-    std::condition_variable wake_, done_;
+    std::condition_variable wake_, done_, freed_;
     std::vector<Chunk*> free_, full_;  // with room for all
     Chunk* open_ = nullptr;
     Clock::time_point openSince_;  // when its first message came

@@ -97,7 +97,10 @@ bool readOptions(const OptionTexts& texts, RecordingOptions& options, std::strin
         why = "property Ring: found " + std::to_string(texts.ring) + ", expected seconds, or 0 to write everything";
     else if (texts.ring != 0 && !texts.split.empty())
         why = "the properties Split and Ring exclude each other: a ring is one file each time that it is saved";
+    else if (texts.reproducible && options.realtime)
+        why = "the property Reproducible needs Clock=component: the time of day is another one in each run";
     if (!why.empty()) return false;
+    options.isReproducible = texts.reproducible;
     options.chunkSize = texts.chunkSize;
     options.chunkTime = texts.chunkTime;
     options.ring = texts.ring;

@@ -14,6 +14,7 @@ struct OptionTexts {
     std::string compression, split, ringSize, clock, schema;
     unsigned int chunkSize;
     double chunkTime, ring;
+    bool reproducible;
 };
 
 /** False, with what is wrong, if a text or number is not valid. */

@@ -56,7 +56,7 @@ mcap::Metadata about(const RecordingOptions& options) {
     result.texts["clock"] = options.realtime ? "realtime" : "component";
     result.texts["version"] = OROFORGE_VERSION;
     // The same run in simulated time gives the same file.
-    if (!options.realtime) return result;
+    if (options.isReproducible) return result;
     result.texts["start"] = dateNow();
     result.texts["command"] = commandLine();
     std::error_code error;
@@ -143,7 +143,8 @@ bool Recording::begin() {
         if (failed() && !std::exchange(told, true)) options_.onFailure();
     };
     pipe_.reset(
-        new ChunkPipe({options_.component + ".Writer", options_.chunkSize, options_.chunkTime}, *taker, onLoss));
+        new ChunkPipe({options_.component + ".Writer", options_.chunkSize, options_.chunkTime, options_.isReproducible},
+                      *taker, onLoss));
     writeRow();
     if (states_) states_->add(*pipe_, now());
     return true;

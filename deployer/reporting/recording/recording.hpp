@@ -26,7 +26,8 @@ struct RecordingOptions {
     double chunkTime = 0, ring = 0;  ///< seconds; without a ring, everything is written
     std::uint64_t ringSize = 0;      ///< bytes
     Split split;
-    bool realtime = true;  ///< messages have the time of day; otherwise that of the TimeService
+    bool isReproducible = false;  ///< nothing of this process and its times is recorded
+    bool realtime = true;         ///< messages have the time of day; otherwise that of the TimeService
     RecordedSource::Options sources;
     RTT::TaskContext::PeerGates peers;  ///< those whose states are recorded
     std::function<void()> onFailure;    ///< called once by another thread, when nothing more can be written

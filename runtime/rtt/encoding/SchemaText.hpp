@@ -5,6 +5,7 @@
 
 #include <rtt/rtt-config.h>
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,6 +44,14 @@ struct RTT_API SchemaText {
  */
 RTT_API bool describeType(const types::TypeInfo& type, SchemaLanguage language, bool rosNames, SchemaText& result,
                           std::string& why);
+
+/**
+ * The bytes, as those of a Plan with cdrRules(), of default values of all structs that such a description has, by their
+ * names there: "tank/Level", or "tank::Level" in IDL. That of the type itself is also under the name "". Without those
+ * that have no default value. Allocates.
+ */
+RTT_API std::map<std::string, std::vector<unsigned char>> describeDefaults(const types::TypeInfo& type,
+                                                                           const SchemaText& description);
 
 }  // namespace encoding
 }  // namespace RTT

@@ -4,6 +4,7 @@
 
 #include <rtt/Activity.hpp>
 #include <rtt/ExecutionEngine.hpp>
+#include <rtt/internal/engine/other_order.hpp>
 #include <rtt/os/StartStopManager.hpp>
 
 #include <atomic>
@@ -19,7 +20,7 @@ enum State { Off, On, Releasing };
 struct Global {
     ExecutionEngine engine;
     std::mutex mutex;
-    std::unique_ptr<Activity> activity;
+    base::ActivityInterface::shared_ptr activity;
     std::atomic<State> state{Off};
 };
 
@@ -44,7 +45,10 @@ ExecutionEngine* GlobalEngine::Instance() {
         // It gets the engine once complete: a thread that got the engine before the last Release() may be sending now.
         Activity::Options options;
         options.name = "GlobalEngine";
-        g.activity = std::make_unique<Activity>(options);
+        if (OtherOrder* const order = OtherOrder::installed())
+            g.activity = order->replace(nullptr, options.name);
+        else
+            g.activity.reset(new Activity(options));
         g.activity->run(&g.engine);
         g.activity->start();
         g.state.store(On, std::memory_order_release);
@@ -55,7 +59,7 @@ ExecutionEngine* GlobalEngine::Instance() {
 void GlobalEngine::Release() {
     Global& g = global();
     if (g.engine.isStepping()) return;
-    std::unique_ptr<Activity> last;
+    base::ActivityInterface::shared_ptr last;
     {
         std::lock_guard<std::mutex> lock(g.mutex);
         if (g.state != On) return;

@@ -11,7 +11,7 @@ under_test(${queue} ${call} ${step} ${gate})
 faulty_value(call_relaxed_state ${call} [=[if (@{state_.exchange(state)}@ & kParked)]=]
   [=[state_.exchange(state, std::memory_order_relaxed)]=])
 faulty_value(call_sleeps_for_ever ${call}
-  [=[os::detail::futexWait(state_, @{Waiting | kParked}@, os::detail::kForever);]=]
+  [=[os::detail::futexWait(state_, @{Waiting | kParked}@, OtherOrder::limit(os::detail::kForever));]=]
   [=[static_cast<std::uint32_t>(state_.load(std::memory_order_relaxed))]=])
 faulty_value(call_relaxed_deref ${call}
   [=[if (references_.fetch_sub(1, @{std::memory_order_acq_rel}@) == 1) delete this;]=] [=[std::memory_order_relaxed]=])

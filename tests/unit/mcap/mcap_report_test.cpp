@@ -318,6 +318,41 @@ TEST_F(Recorder, HasTheTimeOfDayIfAsked) {
     EXPECT_EQ(std::filesystem::current_path(), found.allMetadata[0].texts.at("folder"));
 }
 
+TEST_F(Recorder, ReproducibleIsTheSameFileEachTime) {
+    const LogText log;
+    set("Reproducible", true);
+    set<std::string>("Clock", "realtime");
+    ASSERT_TRUE(recorder->reportPort("Machine", "speed") && recorder->reportData("Machine", "limits"));
+    EXPECT_FALSE(recorder->start());
+    EXPECT_THAT(log(), HasSubstr("the property Reproducible needs Clock=component"));
+    set<std::string>("Clock", "component");
+    set("ChunkSize", 4096U);
+    set("ChunkTime", 0.1);
+    set("States", true);
+    std::vector<std::string> files;
+    RTT::os::TimeService& time = *RTT::os::TimeService::Instance();
+    const RTT::nsecs begin = time.getNSecs() + 1000000000;
+    for (int run = 0; run != 2; ++run) {
+        while (time.getNSecs() != begin) {
+            const auto off = static_cast<double>(begin - time.getNSecs());
+            time.secondsChange((off > 0 ? off + 0.4 : off - 0.4) / 1e9);
+        }
+        ASSERT_TRUE(recorder->start());
+        for (int i = 0; i != 3000; ++i) {
+            machine.speed.write(i);
+            // The second time messages are older than ChunkTime by the time of day.
+            if (run == 1 && i % 1000 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(120));
+            if (i < 1500) machine.speed.write(i);
+            step(i < 1500 ? 0.0 : 0.01);
+        }
+        recorder->stop();
+        EXPECT_EQ(4500U, numbersOf(read(), "/Machine/speed").size());
+        EXPECT_EQ(3U, read().allMetadata.at(0).texts.size());
+        files.push_back(oroforge::test::readFile(directory / "run.mcap"));
+    }
+    EXPECT_TRUE(files[0] == files[1]);
+}
+
 TEST_F(Recorder, RunsAgainAndTheFileBeginsAnew) {
     ASSERT_TRUE(recorder->reportPort("Machine", "speed"));
     for (int run = 0; run != 3; ++run) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 // The program oro-mcap, as its user runs it.
+#include "cdr_bytes.hpp"
 #include "mcap_files.hpp"
 
 #include <support/child_process.hpp>
@@ -30,26 +31,6 @@ const char* const kLevel =
     "uint16 x\n"
     "float32 y\n";
 
-/** Plain CDR. */
-class Cdr {
-public:
-    Bytes bytes{0, 1, 0, 0};
-    template <class Number>
-    Cdr& put(Number number) {
-        while ((bytes.size() - 4) % sizeof number != 0) bytes.push_back(0);
-        unsigned char raw[sizeof number];
-        std::memcpy(raw, &number, sizeof number);
-        bytes.insert(bytes.end(), raw, raw + sizeof number);
-        return *this;
-    }
-    Cdr& put(const std::string& text) {
-        put(static_cast<std::uint32_t>(text.size() + 1));
-        bytes.insert(bytes.end(), text.begin(), text.end());
-        bytes.push_back(0);
-        return *this;
-    }
-};
-
 std::string level(double height, const std::string& name, std::uint32_t points) {
     Cdr cdr;
     cdr.put(height).put(name).put(std::int8_t(-1)).put(points);
@@ -73,11 +54,12 @@ protected:
         return outcome;
     }
     /** Messages of /tank/level (1), and of /tank/count (2), one of which is missing. */
-    void record(const std::string& name, const std::vector<Told>& messages, const std::string& schema = kLevel) {
+    void record(const std::string& name, const std::vector<Told>& messages, const std::string& schema = kLevel,
+                const std::string& encoding = "ros2msg", const std::string& type = "tank/msg/Level") {
         MemorySink sink;
         Writer writer(sink);
         EXPECT_TRUE(writer.begin({"ros2", "a test"}));
-        EXPECT_TRUE(writer.add(Schema{1, "tank/msg/Level", "ros2msg", schema}));
+        EXPECT_TRUE(writer.add(Schema{1, type, encoding, schema}));
         EXPECT_TRUE(writer.add(Schema{2, "std_msgs/msg/Int32", "ros2msg", "int32 data\n"}));
         EXPECT_TRUE(writer.add(Channel{1, 1, "/tank/level", "cdr", {}}));
         EXPECT_TRUE(writer.add(Channel{2, 2, "/tank/count", "cdr", {}}));
@@ -132,6 +114,25 @@ TEST_F(Tool, CatPrintsJson) {
     EXPECT_EQ(2, std::count(one.out.begin(), one.out.end(), '\n'));
     EXPECT_THAT(expect(2, {"cat", "run.mcap", "--topic", "/tank/cont"}).err,
                 HasSubstr("run.mcap: error: there is no topic '/tank/cont'; did you mean '/tank/count'?"));
+}
+
+TEST_F(Tool, ReadsTypesThatAreDescribedAsIdl) {
+    const char* const text =
+        "module tank {\nstruct Point { uint16 x; float y; };\n"
+        "struct Level { double height; string name; int8 side; sequence<Point> path; boolean valves[2]; };\n};\n";
+    record("ros.mcap", messages());
+    record("idl.mcap", messages(), text, "omgidl", "tank::Level");
+    EXPECT_EQ(expect(0, {"cat", "ros.mcap"}).out, expect(0, {"cat", "idl.mcap"}).out);
+    EXPECT_EQ(expect(0, {"convert", "ros.mcap", "--topic", "/tank/level"}).out,
+              expect(0, {"convert", "idl.mcap", "--topic", "/tank/level"}).out);
+    std::vector<Told> others = messages();
+    std::get<3>(others[0]) = level(1.5, "a \"quoted\", text\n", 3);
+    record("other.mcap", others, text, "omgidl", "tank::Level");
+    EXPECT_THAT(expect(1, {"diff", "idl.mcap", "other.mcap"}).out,
+                HasSubstr("message 0 at 1.500000000: a list before"));
+    record("wrong.mcap", messages(), "module tank {\nstruct Level { quark q; };\n};\n", "omgidl", "tank::Level");
+    EXPECT_THAT(expect(1, {"cat", "wrong.mcap"}).err,
+                HasSubstr("[MCP012] topic '/tank/level': line 2: the type 'quark' is not described"));
 }
 
 TEST_F(Tool, ConvertsATopicToATable) {
@@ -228,7 +229,8 @@ TEST_F(Tool, ReportsMessagesThatDoNotFitTheirSchema) {
     EXPECT_THAT(expect(1, {"cat", "run.mcap"}).err, HasSubstr("[MCP012] topic '/tank/level': the message at 1.5"));
     for (const auto& [schema, why] : std::vector<std::pair<std::string, std::string>>{
              {"float64\n", "line 1: found 'float64', expected a type and a name"},
-             {"tank/Point p\n", "the type 'tank/Point' of the field 'p' is not described"},
+             {"tank/Point p\n", "line 1: the type 'tank/Point' of the field 'p' is not described"},
+             {"int8[0] p\n", "line 1: the brackets of 'int8[0]' have no valid number"},
              {"int8[99999999999] p\n", "line 1: the brackets of 'int8[99999999999]' have no valid number"},
              {deep, "types nest too deeply"},
              {"tank/P p\n===\nMSG: tank/P\ntank/P p\n", "a type contains itself"}}) {

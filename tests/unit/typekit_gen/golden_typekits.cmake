@@ -125,11 +125,13 @@ if(TARGET orocos-ocl-reporting-mcap)
   oroforge_add_test(mcap_judges_test
     SOURCES recorded_values_test.cpp shape_filler.cpp
     LABELS judges
-    LIBS orocos-rtt orocos-rtt-encoding orocos-ocl-reporting-mcap oroforge_mcap oroforge_test_support
+    LIBS orocos-rtt orocos-rtt-encoding orocos-ocl-reporting-mcap oroforge_mcap oroforge_message_schema oroforge_test_support
     DEFINITIONS GOLDEN_TYPEKIT_DIR="${PROJECT_BINARY_DIR}/tests/lib" GOLDEN_TYPEKITS="${golden_cases}" RTT_TYPEKIT_FILE="$<TARGET_FILE:rtt-typekit>"
       JUDGES_DIR="${PROJECT_BINARY_DIR}/tests/judges" JUDGE="${PROJECT_SOURCE_DIR}/tests/judges/recording.mjs"
     DEPENDS rtt-typekit ${golden_typekits}
     ENVIRONMENT ORO_LOGLEVEL=0 ORO_LOGFILE=/dev/null)
+  add_test(NAME mcap_all_values_test COMMAND mcap_judges_test --gtest_filter=AllValues.*)
+  set_tests_properties(mcap_all_values_test PROPERTIES LABELS unit ENVIRONMENT "ORO_LOGLEVEL=0;ORO_LOGFILE=/dev/null")
 endif()
 
 # Together with the C++ types themselves, as a component uses them.

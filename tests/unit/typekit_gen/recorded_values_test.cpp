@@ -4,6 +4,8 @@
 // (tests/judges), which know nothing of us: they find what our JSON says. `./dev judges` installs those libraries.
 #include <ocl/McapReporting.hpp>
 #include <reporting/mcap/salvage.hpp>
+#include <reporting/mcap/scan.hpp>
+#include <reporting/schema/message_schema.hpp>
 #include <rtt/TaskContext.hpp>
 #include <rtt/base/OutputPortInterface.hpp>
 #include <rtt/encoding/Json.hpp>
@@ -24,6 +26,8 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
+#include <set>
 #include <sstream>
 
 namespace {
@@ -38,7 +42,7 @@ void load(const std::string& file) {
     ASSERT_TRUE(reinterpret_cast<bool (*)(RTT::TaskContext*)>(::dlsym(library, "loadRTTPlugin"))(nullptr));
 }
 
-class RecordedValues : public testing::Test {
+class AllValues : public testing::Test {
 protected:
     static void SetUpTestSuite() {
         load(RTT_TYPEKIT_FILE);
@@ -46,11 +50,6 @@ protected:
         for (std::string word; words >> word;)
             load(std::string(GOLDEN_TYPEKIT_DIR) + "/libgolden_typekit_" + word + ".so");
     }
-    void SetUp() override {
-        if (!std::filesystem::exists(std::string(JUDGES_DIR) + "/node_modules"))
-            GTEST_SKIP() << "the libraries that judge are not installed: ./dev judges";
-    }
-
     template <class T>
     static void set(RTT::TaskContext& component, const char* name, const T& value) {
         dynamic_cast<RTT::Property<T>&>(*component.getProperty(name)).set(value);
@@ -102,6 +101,15 @@ protected:
         recorder.stop();
         return messages;
     }
+    TempDir directory;
+};
+
+class RecordedValues : public AllValues {
+protected:
+    void SetUp() override {
+        if (!std::filesystem::exists(std::string(JUDGES_DIR) + "/node_modules"))
+            GTEST_SKIP() << "the libraries that judge are not installed: ./dev judges";
+    }
     Outcome judge(std::vector<std::string> words) const {
         Command command;
         command.program = "node";
@@ -110,9 +118,56 @@ protected:
         command.directory = JUDGES_DIR;
         return run(command);
     }
-
-    TempDir directory;
 };
+
+/** Takes the messages apart as oro-mcap does. */
+struct Parts : oroforge::mcap::Visitor, oroforge::schema::PartTaker {
+    void schema(const oroforge::mcap::Schema& one) override { described[one.id] = one; }
+    void channel(const oroforge::mcap::Channel& one) override {
+        const oroforge::mcap::Schema& its = described[one.schema];
+        std::string why;
+        EXPECT_TRUE(schemas[one.id].read(its.encoding, its.name, its.data, why)) << why << "\n" << its.data;
+        encodings.insert(its.encoding);
+    }
+    void message(const oroforge::mcap::Message& one) override {
+        std::string why;
+        all += "\n";
+        EXPECT_TRUE(schemas[one.channel].walk(one.data, one.size, *this, why)) << why << "\n"
+                                                                               << described[one.channel].data;
+        ++messages;
+    }
+    void problem(const oroforge::mcap::Problem& one) override { ADD_FAILURE() << one.line("run.mcap"); }
+    void beginStruct() override { all += "{"; }
+    void field(std::string_view name) override { all += std::string(name) + ": "; }
+    void endStruct() override { all += "}"; }
+    void beginList() override { all += "["; }
+    void element(std::size_t) override { all += ","; }
+    void endList() override { all += "]"; }
+    void number(std::string_view text) override { all += text; }
+    void text(std::string_view text) override { all += text; }
+
+    std::map<std::uint16_t, oroforge::mcap::Schema> described;
+    std::map<std::uint16_t, oroforge::schema::MessageSchema> schemas;
+    std::set<std::string> encodings;
+    std::string all;
+    std::size_t messages = 0;
+};
+
+TEST_F(AllValues, AreReadByOurTool) {
+    std::string texts[2];
+    for (const bool isIdl : {false, true}) {
+        const std::size_t messages = record("none", isIdl ? "omgidl" : "auto");
+        const std::string bytes = readFile(directory / "run.mcap");
+        oroforge::mcap::MemorySource source(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
+        Parts parts;
+        (void)oroforge::mcap::scan(source, parts);
+        EXPECT_EQ(messages, parts.messages);
+        EXPECT_EQ(isIdl ? 1U : 2U, parts.encodings.size());
+        texts[isIdl ? 1 : 0] = parts.all;
+    }
+    EXPECT_EQ(texts[0], texts[1]);
+    EXPECT_GT(texts[0].size(), 1000U);
+}
 
 TEST_F(RecordedValues, AreWhatOthersRead) {
     for (const char* const schema : {"auto", "omgidl"})

@@ -45,6 +45,9 @@ public:
     /** All structs, each after those that it contains. */
     const std::vector<const SchemaStruct*>& structs() const { return order_; }
 
+    /** The types that became structs. */
+    const std::map<const Form*, const SchemaStruct*>& forms() const { return known_; }
+
     /** Turns the names of fields into legal ones of ROS, unless two would become one. */
     void useRosNames();
     /** What ROS does not allow; empty if it allows everything. */

@@ -12,6 +12,7 @@
 #include <rtt/internal/calls/sending.hpp>
 #include <rtt/internal/engine/engine_gate.hpp>
 #include <rtt/internal/engine/interruption.hpp>
+#include <rtt/internal/engine/other_order.hpp>
 #include <rtt/os/MainThread.hpp>
 #include <rtt/os/fosi.h>
 #include <rtt/os/futex.hpp>
@@ -197,8 +198,10 @@ void SentCall::park() {
     std::uint32_t seen = state_.load(std::memory_order_acquire);
     while ((seen & ~kParked) == Waiting) {
         if (!(seen & kParked) && !state_.compare_exchange_weak(seen, seen | kParked)) continue;
-        if (!interruption && !mayStand)
-            os::detail::futexWait(state_, Waiting | kParked, os::detail::kForever);
+        if (OtherOrder::executedHere()) {
+            // It may have been what this thread waits for.
+        } else if (!interruption && !mayStand)
+            os::detail::futexWait(state_, Waiting | kParked, OtherOrder::limit(os::detail::kForever));
         else if (mayStand && waiting_->isSelf())
             return waiting_->engine()->waitForMessages([this] { return state() != Waiting; });
         else if (interruption && interruption->asked())

@@ -5,6 +5,7 @@
 #include <rtt/ExecutionEngine.hpp>
 #include <rtt/Logger.hpp>
 #include <rtt/base/ActivityInterface.hpp>
+#include <rtt/internal/engine/other_order.hpp>
 #include <rtt/os/fosi.h>
 #include <rtt/os/futex.hpp>
 
@@ -33,8 +34,8 @@ void EngineGate::sleepOn(const Presence::Word& word, std::uint32_t seen, std::in
     const EngineGate* const gate = ofThisThread();
     if (gate && gate->engine())
         gate->engine()->waitForMessages([&] { return word != seen; }, deadline, &word);
-    else
-        os::detail::futexWait(word, seen, deadline);
+    else if (!OtherOrder::executedHere())
+        os::detail::futexWait(word, seen, OtherOrder::limit(deadline));
 }
 
 bool EngineGate::Stand::enter(const EngineGate& gate, As as) {

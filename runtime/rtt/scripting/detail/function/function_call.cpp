@@ -8,6 +8,7 @@
 #include <rtt/base/OperationCallerInterface.hpp>
 #include <rtt/base/TaskCore.hpp>
 #include <rtt/internal/engine/interruption.hpp>
+#include <rtt/internal/engine/other_order.hpp>
 #include <rtt/os/fosi.h>
 #include <rtt/scripting/detail/function/function_pool.hpp>
 #include <rtt/scripting/detail/execute/log_diagnostics.hpp>
@@ -148,7 +149,7 @@ void FunctionCall::wait() {
             own->engine()->waitForMessages(over, soon);
         } else {
             const std::uint32_t ticket = done_.ticket();
-            if (!over()) done_.wait(ticket, soon);
+            if (!over() && !internal::OtherOrder::executedHere()) done_.wait(ticket, internal::OtherOrder::limit(soon));
         }
         State waiting = Waiting;
         if (isLost()) state_.compare_exchange_strong(waiting, Refused);

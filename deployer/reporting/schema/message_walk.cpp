@@ -1,27 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 // Messages as bytes, taken apart as their schema says.
-#include "ros_schema.hpp"
-
-#include <reporting/mcap/format.hpp>
+#include "detail/limits.hpp"
+#include "message_schema.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <cstring>
 
-namespace oroforge::mcap {
+namespace oroforge::schema {
 namespace {
-
-typedef RosSchema::Basic Basic;
 
 class Walk {
 public:
-    Walk(const std::vector<RosSchema::Struct>& structs, const unsigned char* data, std::size_t size, bool isLittle,
+    Walk(const std::vector<Struct>& structs, const unsigned char* data, std::size_t size, bool isLittle,
          PartTaker& taker)
         : structs_(structs), data_(data), size_(size), isLittle_(isLittle), taker_(taker) {}
 
-    bool all(std::string& why) {
-        const bool good = whole(structs_.front());
+    bool all(const Struct& root, std::string& why) {
+        const bool good = whole(root);
         if (good && size_ - at_ < 4) return true;  // some writers fill up the last word
         if (good) fail("there are " + std::to_string(size_ - at_) + " bytes more than the schema describes");
         why = "byte " + std::to_string(at_) + ": " + why_;
@@ -34,22 +31,65 @@ private:
         return false;
     }
 
-    bool whole(const RosSchema::Struct& one) {
+    bool whole(const Struct& one) {
+        if (depth_ == kDeepest) return fail("structs nest too deeply");
+        ++depth_;
         taker_.beginStruct();
         // ROS gives a struct without fields a byte. So each element has one, and no list outlasts the message.
         std::uint8_t filler = 0;
-        if (one.fields.empty() && !take(filler)) return false;
-        for (const RosSchema::Field& field : one.fields) {
-            taker_.field(field.name);
-            if (!(field.many == RosSchema::Field::One ? value(field) : list(field))) return false;
+        if (one.hasByte && !take(filler)) return false;
+        if (one.isUnion) {
+            if (!chosen(one)) return false;
+        } else {
+            for (const Field& field : one.fields)
+                if (!part(field)) return false;
         }
         taker_.endStruct();
+        --depth_;
         return true;
     }
 
-    bool list(const RosSchema::Field& field) {
-        std::size_t count = field.count;
-        if (field.many == RosSchema::Field::Sequence) {
+    bool chosen(const Struct& one) {
+        std::int64_t label = 0;
+        if (!takeLabel(one.discriminator, label)) return false;
+        const Field* other = nullptr;
+        for (const Field& field : one.fields) {
+            if (std::find(field.labels.begin(), field.labels.end(), label) != field.labels.end()) return part(field);
+            if (field.isDefault) other = &field;
+        }
+        return !other || part(*other);
+    }
+
+    bool takeLabel(Basic basic, std::int64_t& label) {
+        switch (basic) {
+            case Basic::Int8: return takeAs<std::uint8_t, std::int8_t>(label);
+            case Basic::Int16: return takeAs<std::uint16_t, std::int16_t>(label);
+            case Basic::Int32: return takeAs<std::uint32_t, std::int32_t>(label);
+            case Basic::Bool:
+            case Basic::UInt8: return takeAs<std::uint8_t, std::uint8_t>(label);
+            case Basic::UInt16: return takeAs<std::uint16_t, std::uint16_t>(label);
+            case Basic::UInt32: return takeAs<std::uint32_t, std::uint32_t>(label);
+            default: return takeAs<std::uint64_t, std::int64_t>(label);
+        }
+    }
+
+    template <class Bits, class Number>
+    bool takeAs(std::int64_t& label) {
+        Bits bits = 0;
+        if (!take(bits)) return false;
+        label = static_cast<Number>(bits);
+        return true;
+    }
+
+    bool part(const Field& field) {
+        taker_.field(field.name);
+        return list(field, 0);
+    }
+
+    bool list(const Field& field, std::size_t level) {
+        if (level == field.lists.size()) return value(field);
+        std::size_t count = field.lists[level].count;
+        if (field.lists[level].isSequence) {
             std::uint32_t given = 0;
             if (!take(given)) return false;
             count = given;
@@ -60,13 +100,13 @@ private:
         taker_.beginList();
         for (std::size_t i = 0; i != count; ++i) {
             taker_.element(i);
-            if (!value(field)) return false;
+            if (!list(field, level + 1)) return false;
         }
         taker_.endList();
         return true;
     }
 
-    bool value(const RosSchema::Field& field) {
+    bool value(const Field& field) {
         switch (field.basic) {
             case Basic::Struct: return whole(structs_[field.structAt]);
             case Basic::Bool: {
@@ -99,7 +139,8 @@ private:
         unsigned char bytes[sizeof bits];
         std::copy_n(data_ + begin, sizeof bits, bytes);
         if (!isLittle_) std::reverse(std::begin(bytes), std::end(bytes));
-        bits = numberAt<Bits>(bytes);
+        bits = 0;
+        for (std::size_t i = sizeof bits; i-- > 0;) bits = static_cast<Bits>(std::uint64_t(bits) << 8U | bytes[i]);
         at_ = begin + sizeof bits;
         return true;
     }
@@ -127,25 +168,25 @@ private:
         return true;
     }
 
-    const std::vector<RosSchema::Struct>& structs_;
+    const std::vector<Struct>& structs_;
     const unsigned char* const data_;
     const std::size_t size_;
     const bool isLittle_;
     PartTaker& taker_;
-    std::size_t at_ = 0;
+    std::size_t at_ = 0, depth_ = 0;
     std::string why_;
 };
 
 }  // namespace
 
-bool RosSchema::walk(const unsigned char* data, std::size_t size, PartTaker& taker, std::string& why) const {
+bool MessageSchema::walk(const unsigned char* data, std::size_t size, PartTaker& taker, std::string& why) const {
     constexpr std::size_t kHead = 4;
     if (size < kHead || data[0] != 0 || data[1] > 1) {
         why = "byte 0: this is not plain CDR";
         return false;
     }
     // Places are counted from behind the head.
-    return Walk(structs_, data + kHead, size - kHead, data[1] == 1, taker).all(why);
+    return Walk(structs_, data + kHead, size - kHead, data[1] == 1, taker).all(root(), why);
 }
 
-}  // namespace oroforge::mcap
+}  // namespace oroforge::schema

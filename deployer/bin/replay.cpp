@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "replay.hpp"
+
+#include "../deployment/replaced.hpp"
+#include "../schedule/schedule.hpp"
+#include "../schedule/stand_ins.hpp"
+#include "program_report.hpp"
+#include "replay_record.hpp"
+
+#include <rtt/Logger.hpp>
+#include <rtt/TaskContext.hpp>
+#include <rtt/internal/located_log.hpp>
+#include <rtt/os/SignalCatcher.hpp>
+#include <rtt/os/TimeService.hpp>
+#include <rtt/plugin/shared_library.hpp>
+
+#include <chrono>
+#include <filesystem>
+#include <iomanip>
+#include <iostream>
+#include <optional>
+#include <sstream>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+namespace OCL::deploy {
+namespace {
+
+namespace diag = oroforge::diag;
+
+std::unique_ptr<replay::Player> openRecording(const std::string& file, bool tolerate, std::string& error) {
+    using RTT::plugin::SharedLibrary;
+    // Beside the component library.
+    const std::string runtime =
+        SharedLibrary::fileWith(reinterpret_cast<const void*>(&RTT::internal::logLocated));  // any function of it
+    const std::string name = runtime.substr(0, runtime.rfind('/') + 1) +
+                             "orocos/" OROCOS_TARGET_NAME "/ocl/liborocos-ocl-replay-" OROCOS_TARGET_NAME ".so";
+    std::error_code none;
+    if (!std::filesystem::exists(name, none)) {
+        error = "error: [RPL001] this toolchain has no part that reads recordings, " + name +
+                "; it is made if libzstd-dev or liblz4-dev is installed when the toolchain is built";
+        return nullptr;
+    }
+    SharedLibrary module(name, SharedLibrary::Global, error);
+    auto* const open = module ? module.function<decltype(oroOpenRecording)>("oroOpenRecording") : nullptr;
+    if (!open) {
+        error = "error: [RPL001] the part that reads recordings cannot be used: " +
+                (module ? name + " is of another version" : error);
+        return nullptr;
+    }
+    module.keep();
+    replay::PlayerOptions options;
+    options.tolerate = tolerate;
+    return std::unique_ptr<replay::Player>(open(file.c_str(), options, error));
+}
+
+/** Keeps recorders from writing over the file. */
+class ReadLock {
+public:
+    explicit ReadLock(const std::string& file) : file_(::open(file.c_str(), O_RDONLY | O_CLOEXEC)) {
+        if (file_ >= 0) (void)::flock(file_, LOCK_SH | LOCK_NB);
+    }
+    ~ReadLock() {
+        if (file_ >= 0) (void)::close(file_);
+    }
+    ReadLock(const ReadLock&) = delete;
+    ReadLock& operator=(const ReadLock&) = delete;
+
+private:
+    const int file_;
+};
+
+/** The messages that are repeated, and the end of the recording, which others may be later than. */
+class WholeRecording final : public replay::TimedSource {
+public:
+    explicit WholeRecording(replay::Player& player) : player_(player) {}
+    std::optional<RTT::nsecs> next() override {
+        const std::optional<RTT::nsecs> message = player_.next();
+        return message || hasEnded_ ? message : std::optional<RTT::nsecs>(player_.end());
+    }
+    void deliver() override {
+        if (player_.next())
+            player_.deliver();
+        else
+            hasEnded_ = true;
+    }
+
+private:
+    replay::Player& player_;
+    bool hasEnded_ = false;
+};
+
+/** Gives the deployers what the recording has. */
+class Recorded final : public RecordedPorts {
+public:
+    explicit Recorded(replay::Player& player) : ports_(player) { setRecordedPorts(this); }
+    ~Recorded() override { setRecordedPorts(nullptr); }
+    bool hasComponent(const std::string& component) const override { return ports_.hasComponent(component); }
+    bool hasPort(const std::string& component, const std::string& port) const override {
+        return ports_.hasPort(component, port);
+    }
+    void addPorts(RTT::TaskContext& component, std::map<std::string, std::string>& problems) override {
+        ports_.addPorts(component, problems);
+    }
+
+private:
+    schedule::StandIns ports_;
+};
+
+std::string seconds(double value) {
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(value < 10 ? 3 : 1) << value;
+    return text.str();
+}
+
+}  // namespace
+
+void standStill() {
+    RTT::os::TimeService& time = *RTT::os::TimeService::Instance();
+    time.enableSystemClock(false);
+    (void)time.ticksChange(-time.getTicks());
+}
+
+struct Replay::Impl {
+    const Options& options;
+    ProgramReport& report;
+    std::unique_ptr<replay::Player> player;  // longer than components with its ports
+    std::optional<ReadLock> lock;
+    std::optional<Recorded> recorded;
+    std::optional<schedule::Schedule> schedule;
+
+    /** A text that has a place and a code of its own. */
+    void error(const std::string& text) const { std::cerr << text << std::endl; }
+    void summarize(const schedule::Schedule::Outcome& outcome, double passed) const;
+};
+
+Replay::Replay(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Replay::~Replay() = default;
+
+std::unique_ptr<Replay> Replay::open(const Options& options, ProgramReport& report) {
+    std::unique_ptr<Impl> impl(new Impl{options, report, nullptr, {}, {}, {}});
+    std::string error;
+    impl->player = openRecording(options.replayFile, options.tolerate, error);
+    if (!impl->player) {
+        impl->error(error);
+        return nullptr;
+    }
+    std::error_code none;
+    if (!options.recordFile.empty() && std::filesystem::equivalent(options.replayFile, options.recordFile, none)) {
+        report.error(options.recordFile, "--record would write over the recording that is replayed");
+        return nullptr;
+    }
+    impl->lock.emplace(options.replayFile);
+    impl->recorded.emplace(*impl->player);
+    impl->schedule.emplace(impl->player->begin());
+    impl->schedule->setSpeed(options.replaySpeed);
+    return std::unique_ptr<Replay>(new Replay(std::move(impl)));
+}
+
+bool Replay::run(DeploymentComponent& deployer, RTT::os::SignalCatcher& ending) {
+    std::optional<ReplayRecord> record;
+    if (!impl_->options.recordFile.empty()) {
+        std::string error;
+        record.emplace(impl_->options.recordFile, deployer, *impl_->schedule, error);
+        if (!error.empty()) {
+            impl_->error(error);
+            return false;
+        }
+    }
+    WholeRecording source(*impl_->player);
+    const auto begin = std::chrono::steady_clock::now();
+    const schedule::Schedule::Outcome outcome = impl_->schedule->run(source, [&ending] { return ending.caught(); });
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
+    const bool recorded = !record || record->finish();
+    if (!outcome.error.empty()) impl_->error(outcome.error);
+    for (const std::string& problem : impl_->player->problems()) impl_->error(problem);
+    impl_->summarize(outcome, passed.count());
+    return outcome.error.empty() && recorded;
+}
+
+void Replay::Impl::summarize(const schedule::Schedule::Outcome& outcome, double passed) const {
+    const double simulated = RTT::nsecs_to_Seconds(outcome.simulated);
+    std::cout << (outcome.isComplete ? "replayed " : "replayed, not to the end, ") << options.replayFile << ": "
+              << player->written() << (player->written() == 1 ? " message; " : " messages; ") << seconds(simulated)
+              << " s of simulated time in " << seconds(passed) << " s";
+    if (passed > 0 && simulated > 0) std::cout << " (" << seconds(simulated / passed) << " times real time)";
+    std::cout << std::endl;
+}
+
+}  // namespace OCL::deploy

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// Components that a replay puts in the place of those whose ports were recorded.
+#ifndef OROFORGE_DEPLOYMENT_REPLACED_HPP
+#define OROFORGE_DEPLOYMENT_REPLACED_HPP
+
+#include "plan.hpp"
+
+#include <diag/sink.hpp>
+
+#include <map>
+#include <string>
+
+namespace RTT {
+class TaskContext;
+}
+
+namespace OCL::deploy {
+
+struct ComponentRecord;
+struct Session;
+
+/** The ports in a recording. */
+class RecordedPorts {
+public:
+    virtual ~RecordedPorts() = default;
+    virtual bool hasComponent(const std::string& component) const = 0;
+    virtual bool hasPort(const std::string& component, const std::string& port) const = 0;
+    /** Adds the recorded output ports to what stands for the component of that name. `problems` gets, by port, why one
+        is missing. */
+    virtual void addPorts(RTT::TaskContext& component, std::map<std::string, std::string>& problems) = 0;
+};
+
+/** From now on, all deployers of this process replace components; null: none. Not owned. */
+void setRecordedPorts(RecordedPorts* ports);
+/** Null outside of a replay. */
+RecordedPorts* recordedPorts();
+
+/**
+ * Marks the components of a plan that are replaced, and removes from it what they cannot have: properties, services,
+ * scripts, and an activity. A component is replaced if the recording has all of its connected ports, and so none of
+ * them is an input; and so is a recorder, which would write over the recording. If neither files nor libraries tell
+ * of an input, and its type is known, a component is made and asked.
+ */
+void replaceRecorded(const Session& session, Plan& plan);
+
+/** For a component that a script creates: how it is replaced. */
+ComponentPlan planOf(const std::string& name, const std::string& type);
+
+/** True if a recording stands for it. */
+bool isStandIn(const RTT::TaskContext& component);
+
+/** Makes what stands for the component, as create() does; or itself, if it turns out that it has an input. Reports ports that it lacks: as errors at those in the plan,
+    as a warning in the log otherwise. Null, with the reason, if the name is taken. */
+RTT::TaskContext* createStandIn(Session& session, ComponentPlan& component, int group, diag::Sink& sink,
+                                std::string& error);
+
+}  // namespace OCL::deploy
+
+#endif

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// deployer --replay with what it cannot replay: each is an error that says what to do.
+#include "replay_program.hpp"
+
+#include <gmock/gmock.h>
+
+namespace replay_test {
+namespace {
+
+using namespace oroforge::test;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+class ReplayFaults : public ReplayInDirectory {
+protected:
+    Outcome start(const std::vector<std::string>& words) { return run(command(words)); }
+};
+
+TEST_F(ReplayFaults, OptionsThatNeedAReplay) {
+    for (const auto& words : std::vector<std::vector<std::string>>{
+             {"--record", "one.mcap"}, {"--tolerate"}, {"--replay-speed", "2"}, {"--replay-check"}}) {
+        std::vector<std::string> all = words;
+        all.insert(all.end(), {"-s", "app.xml"});
+        const Outcome outcome = start(all);
+        EXPECT_EQ(outcome.status, 255);
+        EXPECT_THAT(outcome.err, HasSubstr(words.front() + " is of no use without --replay"));
+    }
+}
+
+TEST_F(ReplayFaults, OptionsThatExcludeAReplay) {
+    EXPECT_THAT(start({"--replay", "run.mcap", "--check", "-s", "app.xml"}).err,
+                HasSubstr("--replay executes components, which --check and --dry-run do not start"));
+    EXPECT_THAT(start({"--replay", "run.mcap", "--rt-check", "-s", "app.xml"}).err, HasSubstr("--rt-check watches"));
+    EXPECT_THAT(start({"--replay", "", "-s", "app.xml"}).err, HasSubstr("the name of the file of --replay is empty"));
+    for (const char* speed : {"0", "-1", "fast", "nan", "1x"})
+        EXPECT_THAT(start({"--replay", "run.mcap", "--replay-speed", speed, "-s", "app.xml"}).err,
+                    HasSubstr("no speed: '" + std::string(speed) + "'"));
+}
+
+TEST_F(ReplayFaults, AFileThatIsNotThere) {
+    const Outcome outcome = start({"--replay", "none.mcap", "-s", "app.xml"});
+    EXPECT_EQ(outcome.status, 255);
+    EXPECT_THAT(outcome.err, HasSubstr("none.mcap: error: [MCP010]"));
+}
+
+TEST_F(ReplayFaults, AFileThatIsNoRecording) {
+    directory_.write("run.mcap", "this is a text, and longer than the mark at the beginning of a recording");
+    const Outcome outcome = replay({"-s", "app.xml"});
+    EXPECT_EQ(outcome.status, 255);
+    EXPECT_THAT(outcome.err, HasSubstr("run.mcap: byte 0: error: [MCP001]"));
+}
+
+TEST_F(ReplayFaults, WhatIsWholeOfATruncatedFileIsReplayedAndTheRestReported) {
+    std::string text = bytes("run.mcap");
+    text.resize(text.size() - 200);
+    directory_.write("run.mcap", text);
+    const Outcome outcome = replay({"-s", "app.xml"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("[MCP0"));
+    EXPECT_THAT(outcome.out, HasSubstr("replayed run.mcap: "));
+    directory_.write("run.mcap", text.substr(0, 300));
+    const Outcome less = replay({"-s", "app.xml"});
+    EXPECT_EQ(less.status, 255) << less.out;
+    EXPECT_THAT(less.err, HasSubstr("run.mcap: "));
+}
+
+TEST_F(ReplayFaults, ATypeThatIsNotLoaded) {
+    const Outcome outcome = replay({"-s", "app.xml"}, {});
+    EXPECT_EQ(outcome.status, 255);
+    EXPECT_THAT(outcome.err, HasSubstr("error: [DEP031] unknown component type 'replaytest::Viewer'"));
+    directory_.write("app.xml", deployment(std::string(kViewer) + kCamera));
+    const Outcome lacking = replay({"-s", "app.xml"}, {"runs"});
+    EXPECT_EQ(lacking.status, 255);
+    EXPECT_THAT(lacking.err, HasSubstr("error: [RPL006] port 'camera.pose' of the recording cannot be replayed: "));
+    EXPECT_THAT(lacking.err, HasSubstr("MCP021"));
+}
+
+TEST_F(ReplayFaults, ATypeThatHasAnotherFieldNowUnlessThatIsTolerated) {
+    const Outcome outcome = replay({"-s", "app.xml"}, {"changed"});
+    EXPECT_EQ(outcome.status, 255);
+    EXPECT_THAT(outcome.err, HasSubstr("error: [RPL006] port 'camera.pose' of the recording cannot be replayed: "));
+    EXPECT_THAT(outcome.err, HasSubstr("quality"));
+    const Outcome tolerated = replay({"--tolerate", "--record", "one.mcap", "-s", "app.xml"}, {"changed"});
+    EXPECT_EQ(tolerated.status, 0) << tolerated.err;
+    EXPECT_THAT(bytes("one.mcap"), HasSubstr("/viewer/scaled"));
+}
+
+TEST_F(ReplayFaults, AComponentThatTriggersItselfForEver) {
+    directory_.write("app.xml", deployment(component("restless", "replaytest::Restless")));
+    const Outcome outcome = replay({"-s", "app.xml"});
+    EXPECT_EQ(outcome.status, 255);
+    EXPECT_THAT(outcome.err, HasSubstr("error: [RPL002] the replay ends: component 'restless' triggers itself"));
+}
+
+TEST_F(ReplayFaults, TheRecordingItselfIsNotWrittenOver) {
+    const std::string before = bytes("run.mcap");
+    const Outcome outcome = replay({"--record", "./run.mcap", "-s", "app.xml"});
+    EXPECT_EQ(outcome.status, 255);
+    EXPECT_THAT(outcome.err, HasSubstr("--record would write over the recording that is replayed"));
+    EXPECT_EQ(bytes("run.mcap"), before);
+}
+
+TEST_F(ReplayFaults, AFileThatCannotBeWritten) {
+    const Outcome outcome = replay({"--record", "none/one.mcap", "-s", "app.xml"});
+    EXPECT_EQ(outcome.status, 255);
+    EXPECT_THAT(outcome.err, HasSubstr("none/one.mcap: error: [RPL007]"));
+}
+
+}  // namespace
+}  // namespace replay_test
