@@ -8,6 +8,7 @@
 #include <rtt/Time.hpp>
 #include <rtt/base/OutputPortInterface.hpp>
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -55,6 +56,11 @@ public:
     virtual std::vector<std::string> problems() const = 0;
     /** The record `oroforge` of the file, which the recorder writes: `clock`, `command` … Empty if there is none. */
     virtual const std::map<std::string, std::string>& metadata() const = 0;
+    /** The times of the first and the last message in the file, of any topic. */
+    virtual RTT::nsecs begin() const = 0;
+    virtual RTT::nsecs end() const = 0;
+    /** Samples written since the file was opened. */
+    virtual std::uint64_t written() const = 0;
 };
 
 struct PlayerOptions {

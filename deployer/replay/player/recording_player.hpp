@@ -36,13 +36,12 @@ public:
     std::optional<RTT::nsecs> next() override;
     void deliver() override;
 
-    /** The times of the first and the last message in the file, of any topic. */
-    RTT::nsecs begin() const { return begin_; }
-    RTT::nsecs end() const { return end_; }
+    RTT::nsecs begin() const override { return begin_; }
+    RTT::nsecs end() const override { return end_; }
+    std::uint64_t written() const override { return written_; }
     /** Goes on with the messages from this time on; those at `to` and later are left out. */
     void seek(RTT::nsecs from, RTT::nsecs to = std::numeric_limits<RTT::nsecs>::max());
-    /** Samples written, and messages left out, since the file was opened. */
-    std::uint64_t written() const { return written_; }
+    /** Messages left out since the file was opened. */
     std::uint64_t leftOut() const { return leftOut_; }
     std::size_t problemCount() const { return problems_.size(); }
 

@@ -26,8 +26,9 @@ protected:
     Outcome deploy(const std::string& replayProperties) {
         const std::string reported = simple("Port", "string", "replay.talker.text");
         directory.write(
-            "app.xml", "<properties>" + simple("Import", "string", "ocl") +
-                           "<struct name='hello' type='OCL::HelloWorld'>" +
+            "app.xml", "<properties>" + simple("Import", "string", "ocl") + "<struct name='text' type='ConnPolicy'>" +
+                           simple("type", "short", "1") + simple("size", "short", "100") +
+                           "</struct><struct name='hello' type='OCL::HelloWorld'>" +
                            bag("Ports", simple("the_buffer_port", "string", "text")) + kConfigured + kStarted +
                            "</struct><struct name='replay' type='OCL::McapReplay'>" +
                            bag("Ports", simple("talker.text", "string", "text")) +
