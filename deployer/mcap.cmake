@@ -13,11 +13,13 @@ add_library(oroforge_mcap STATIC
   reporting/mcap/chunk.cpp
   reporting/mcap/compression.cpp
   reporting/mcap/crc32.cpp
+  reporting/mcap/merge.cpp
   reporting/mcap/records.cpp
   reporting/mcap/salvage.cpp
   reporting/mcap/scan.cpp
   reporting/mcap/source.cpp
   reporting/mcap/summary.cpp
+  reporting/mcap/unindexed.cpp
   reporting/mcap/writer.cpp)
 target_include_directories(oroforge_mcap PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
 set_target_properties(oroforge_mcap PROPERTIES POSITION_INDEPENDENT_CODE ON)
