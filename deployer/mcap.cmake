@@ -15,6 +15,7 @@ add_library(oroforge_mcap STATIC
   reporting/mcap/contents.cpp
   reporting/mcap/crc32.cpp
   reporting/mcap/in_order.cpp
+  reporting/mcap/pieces.cpp
   reporting/mcap/records.cpp
   reporting/mcap/salvage.cpp
   reporting/mcap/scan.cpp
@@ -49,8 +50,10 @@ set_target_properties(oroforge_message_schema PROPERTIES POSITION_INDEPENDENT_CO
 
 oroforge_component_library(reporting-mcap
   reporting/recording/McapReporting.cpp
+  reporting/recording/about.cpp
   reporting/recording/chunk_pipe.cpp
   reporting/recording/components.cpp
+  reporting/recording/log_channel.cpp
   reporting/recording/options.cpp
   reporting/recording/record_file.cpp
   reporting/recording/recorded_source.cpp

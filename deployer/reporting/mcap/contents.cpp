@@ -12,8 +12,6 @@ namespace {
 
 typedef std::function<void(const Problem&)> Report;
 
-/** Messages that are in no chunk are read together, so many bytes at a time. */
-constexpr std::uint64_t kLoosePiece = std::uint64_t(1) << 20;
 /** No metadata are larger. */
 constexpr std::uint64_t kLargestMetadata = std::uint64_t(1) << 24;
 
@@ -31,39 +29,32 @@ public:
         inChunk_ = true;
     }
     void chunkEnd() override {
-        finish();
+        if (!piece_.channels.empty()) found_.all.push_back(std::exchange(piece_, {}));
         inChunk_ = false;
     }
     void message(const Message& one) override {
-        if (!inChunk_) addLoose(one);
-        if (piece_.channels.empty() || one.logTime < piece_.start) piece_.start = one.logTime;
-        piece_.end = std::max(piece_.end, one.logTime);
-        piece_.channels.insert(one.channel);
+        if (inChunk_)
+            add(one);
+        else
+            found_.addLoose(one.offset, kMessageHead + one.size, one.logTime, one.channel);
         const bool isFirst = contents_.counts.empty();
         contents_.start = isFirst ? one.logTime : std::min(contents_.start, one.logTime);
         contents_.end = std::max(contents_.end, one.logTime);
         ++contents_.counts[one.channel];
     }
-    void finish() {
-        if (!piece_.channels.empty()) contents_.pieces.push_back(std::exchange(piece_, {}));
-        piece_ = {};
-    }
+    std::vector<Piece> pieces() { return std::move(found_.all); }
 
 private:
-    void addLoose(const Message& one) {
-        const std::uint64_t length = kMessageHead + one.size;
-        const bool isNext = !piece_.channels.empty() && one.offset == piece_.offset + piece_.length;
-        if (!isNext || piece_.length + length > kLoosePiece) {
-            finish();
-            piece_.offset = one.offset;
-            piece_.isChunk = false;
-        }
-        piece_.length += length;
+    void add(const Message& one) {
+        if (piece_.channels.empty() || one.logTime < piece_.start) piece_.start = one.logTime;
+        piece_.end = std::max(piece_.end, one.logTime);
+        piece_.channels.insert(one.channel);
     }
 
     Contents& contents_;
     const Report& report_;
-    Piece piece_;
+    Pieces found_;
+    Piece piece_;  // the present chunk
     bool inChunk_ = false;
 };
 
@@ -95,9 +86,9 @@ Contents readContents(Source& source, const Report& report) {
     Contents contents;
     Summary summary;
     const Problem problem = readSummary(source, summary);
-    contents.hasIndex = !problem && !summary.chunks.empty() && !summary.channels.empty();
+    contents.hasIndex = !problem && summary.describesAll();
     if (contents.hasIndex) {
-        contents.pieces = piecesOf(summary);
+        contents.pieces = findPieces(source, summary, report).all;
         contents.schemas = std::move(summary.schemas);
         contents.channels = std::move(summary.channels);
         contents.counts = summary.statistics.ofChannel;
@@ -117,9 +108,9 @@ Contents readContents(Source& source, const Report& report) {
     };
     Scanning scanning(contents, note);
     (void)scan(source, scanning);
-    scanning.finish();
+    contents.pieces = scanning.pieces();
     // Of a file that is not whole, scan() says why.
-    if (problem && !reported && !summary.isAbsent) report(problem);
+    if (problem && !reported) report(problem);
     return contents;
 }
 

@@ -3,7 +3,7 @@
 #ifndef OROFORGE_MCAP_CONTENTS_HPP
 #define OROFORGE_MCAP_CONTENTS_HPP
 
-#include "in_order.hpp"
+#include "pieces.hpp"
 #include "problem.hpp"
 #include "records.hpp"
 #include "source.hpp"

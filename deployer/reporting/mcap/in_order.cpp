@@ -7,19 +7,6 @@
 
 namespace oroforge::mcap {
 
-std::vector<Piece> piecesOf(const Summary& summary) {
-    std::vector<Piece> pieces;
-    std::set<std::uint64_t> offsets;
-    for (const ChunkIndex& index : summary.chunks) {
-        // A hostile index could name one chunk so often that no memory holds it.
-        if (!offsets.insert(index.offset).second) continue;
-        Piece piece{index.offset, index.length, index.head.start, index.head.end, {}, true};
-        for (const auto& [channel, at] : index.channels) piece.channels.insert(channel);
-        pieces.push_back(std::move(piece));
-    }
-    return pieces;
-}
-
 struct InOrder::Open : Visitor {
     Open(const Selection& chosen, const Damaged& report) : selection(chosen), damaged(report) {}
     void message(const Message& message) override {
@@ -83,7 +70,9 @@ void InOrder::open(const Piece& piece) {
     open_.emplace_back(selection_, damaged_);
     Open& one = open_.back();
     one.offset = piece.offset;
-    if (read(piece, one)) visitRecords(one.chunk, piece.isChunk ? piece.offset : 0, known_, one);
+    if (read(piece, one)) visitRecords(one.chunk, piece.offset, known_, one);
+    for (Message& message : one.messages)
+        if (!piece.isChunk) message.offset += piece.offset;
     std::stable_sort(one.messages.begin(), one.messages.end(),
                      [](const Message& a, const Message& b) { return a.logTime < b.logTime; });
     if (one.messages.empty()) open_.pop_back();
@@ -120,9 +109,8 @@ bool InOrder::read(const Piece& piece, Open& one) {
 void readMessages(Source& source, const Summary& summary, const Selection& selection,
                   const std::function<void(const Message&)>& visit, const std::function<void(const Problem&)>& damaged,
                   const Limits& limits) {
-    std::set<std::uint16_t> known;
-    for (const auto& [id, channel] : summary.channels) known.insert(id);
-    InOrder messages(source, piecesOf(summary), std::move(known), selection, damaged, limits);
+    Pieces pieces = findPieces(source, summary, damaged);
+    InOrder messages(source, pieces.all, std::move(pieces.channels), selection, damaged, limits);
     while (const Message* const message = messages.next()) visit(*message);
 }
 

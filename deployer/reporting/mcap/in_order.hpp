@@ -3,6 +3,7 @@
 #ifndef OROFORGE_MCAP_IN_ORDER_HPP
 #define OROFORGE_MCAP_IN_ORDER_HPP
 
+#include "pieces.hpp"
 #include "problem.hpp"
 #include "records.hpp"
 #include "scan.hpp"
@@ -16,17 +17,6 @@
 #include <vector>
 
 namespace oroforge::mcap {
-
-/** Bytes of a file with messages: a chunk, or records one after another that are in none. */
-struct Piece {
-    std::uint64_t offset = 0, length = 0;
-    std::uint64_t start = 0, end = 0;  ///< the earliest and the latest logTime
-    std::set<std::uint16_t> channels;  ///< of its messages; any if it is empty
-    bool isChunk = true;
-};
-
-/** The chunks that an index names, each once. */
-std::vector<Piece> piecesOf(const Summary& summary);
 
 /**
  * Gives messages in the order of their times, those of one time in the order of the file. Reads only the pieces that

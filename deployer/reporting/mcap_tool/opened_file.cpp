@@ -53,14 +53,15 @@ std::unique_ptr<OpenedFile> OpenedFile::open(const std::string& name) {
 
 void OpenedFile::learn() {
     const Problem problem = readSummary(*source_, summary_);
-    hasIndex_ = !problem && !summary_.chunks.empty() && !summary_.channels.empty();
-    if (hasIndex_) {
+    hasIndex_ = !problem;
+    if (hasIndex_ && summary_.describesAll()) {
         schemas_ = summary_.schemas;
         channels_ = summary_.channels;
         return;
     }
     Names names(*this);
     (void)scan(*source_, names);
+    summary_.channels = channels_;
     // Of a file that is not whole, scan() says why.
     if (problem && reported_.empty()) report(problem);
 }
