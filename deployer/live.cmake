@@ -28,6 +28,7 @@ add_library(orocos-ocl-live SHARED
   live/server/module.cpp
   live/server/oro_messages.cpp
   live/server/oro_streams.cpp
+  live/server/sample_batch.cpp
   live/server/server.cpp
   live/server/sockets.cpp
   live/server/text_depth.cpp

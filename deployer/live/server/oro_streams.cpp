@@ -15,7 +15,9 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t kMostStreams = 256;
+constexpr std::size_t kMostWatches = 1024, kMostLogs = 256;
+/** What may wait for a recorder: half a second of 32 MB/s. */
+constexpr std::size_t kQueueOfRecorder = std::size_t(16) << 20;
 constexpr unsigned kUsualBuffer = 128, kLargestBuffer = 10000;
 /** Of one port at a time, so that a fast one does not keep the others waiting. */
 constexpr unsigned kMostAtOnce = 2000;
@@ -73,25 +75,37 @@ void OroStreams::watch(const json& message, const json& id) {
     const auto port = message.find("port");
     const auto form = message.find("format");
     if (port == message.end() || !port->is_string()) return fail(kMalformed, "the text 'port' is missing");
-    if (form != message.end() && *form != "json") return fail(kMalformed, "the only format is \"json\"");
+    const bool isBinary = form != message.end() && *form == "cdr";
+    if (form != message.end() && !isBinary && *form != "json")
+        return fail(kMalformed, "'format' is neither \"json\" nor \"cdr\"");
     if (!parseNumber(message, "rate", 0.001, 1000, rate))
         return fail(kMalformed, "'rate' is not a number of samples per second from 0.001 to 1000");
+    if (isBinary && rate > 0) return fail(kMalformed, "a watch with 'rate' has the format \"json\"");
     if (!parseNumber(message, "buffer", 1, kLargestBuffer, buffer))
         return fail(kMalformed, "'buffer' is not a number of samples from 1 to 10000");
-    if (watches_.size() >= kMostStreams) return fail(kTooMany, "this client watches 256 ports already");
+    if (watches_.size() >= kMostWatches) return fail(kTooMany, "this client watches 1024 ports already");
     if (watches_.count(textOf(id)) != 0) return fail(kMalformed, "a watch has this id already");
     made.id = id;
     made.path = port->get<std::string>();
     made.period = rate > 0 ? std::llround(kSecond / rate) : 0;
     const unsigned waiting =
         made.period != 0 && message.find("buffer") == message.end() ? 0 : static_cast<unsigned>(buffer);
+    made.channel = ++lastChannel_;
+    json answer;
     try {
-        made.port = client_.host().watch(made.path, {SampleForm::Json, waiting, client_.number()});
+        const SampleForm samples = isBinary ? SampleForm::Cdr : SampleForm::Json;
+        made.port = client_.host().watch(made.path, {samples, waiting, client_.number()});
+        answer = {{"type", made.port->type()}, {"fields", fieldsOf(made.port->value())}};
+        if (isBinary) {
+            made.batches = std::make_unique<SampleBatches>(made.channel);
+            answer["stream"] = made.batches->stream();
+            answer.update(schemaOf(*made.port));
+            client_.queue().setLimit(kQueueOfRecorder);
+        }
     } catch (const Failure& failure) {
         return fail(failure.code(), failure.what());
     }
-    made.channel = ++lastChannel_;
-    client_.sendText(oroAnswer(id, {{"type", made.port->type()}, {"fields", fieldsOf(made.port->value())}}));
+    client_.sendText(oroAnswer(id, std::move(answer)));
     watches_.emplace(textOf(id), std::move(made));
     client_.host().wantsChanged();
 }
@@ -107,7 +121,7 @@ void OroStreams::log(const json& message, const json& id) {
         return client_.sendText(oroError(id, kMalformed,
                                          "lines of the past are in the file of the log only; "
                                          "'follow' must be true"));
-    if (logs_.size() >= kMostStreams) return client_.sendText(oroError(id, kTooMany, "256 streams of the log"));
+    if (logs_.size() >= kMostLogs) return client_.sendText(oroError(id, kTooMany, "256 streams of the log"));
     made.id = id;
     made.channel = ++lastChannel_;
     made.before = lostLines_;
@@ -123,16 +137,33 @@ void OroStreams::end(const json& message, const json& id, const char* field) {
     const auto watch = watches_.find(key);
     const auto log = logs_.find(key);
     if (field == std::string("watch") && watch != watches_.end()) {
-        client_.queue().forget(watch->second.channel);
+        endWatch(watch->second, message, id);
         watches_.erase(watch);
+        return client_.host().wantsChanged();
     } else if (field == std::string("log") && log != logs_.end()) {
-        client_.queue().forget(log->second.channel);
+        const std::uint64_t channel = log->second.channel;
         logs_.erase(log);
+        if (message.value("rest", json(false)) == true) {
+            client_.queue().addBehind(channel, {oroAnswer(id, json::object()), false});
+            return client_.host().wantsChanged();
+        }
+        client_.queue().forget(channel);
     } else {
         return client_.sendText(oroError(id, kNoSuchStream, std::string("no ") + field + " has the id " + key));
     }
     client_.sendText(oroAnswer(id, json::object()));
     client_.host().wantsChanged();
+}
+
+void OroStreams::endWatch(Watch& watch, const json& message, const json& id) {
+    const json rest = message.value("rest", json(false));
+    json answer = json::object();
+    if (watch.batches && rest == true) (void)readAll(watch, 0);
+    if (watch.batches) answer["next"] = watch.batches->next();
+    const Frame frame{oroAnswer(id, std::move(answer)), false};
+    if (watch.batches && rest == true) return client_.queue().addBehind(watch.channel, frame);
+    client_.queue().forget(watch.channel);
+    client_.sendText(frame.bytes);
 }
 
 void OroStreams::onTick(std::int64_t now) {
@@ -141,10 +172,11 @@ void OroStreams::onTick(std::int64_t now) {
         if (readAll(at->second, now)) {
             ++at;
         } else {
-            client_.sendText(oroError(at->second.id, kGone,
-                                      "port '" + at->second.path +
-                                          "' was destroyed or disconnected; the watch has "
-                                          "ended"));
+            client_.queue().addBehind(at->second.channel, {oroError(at->second.id, kGone,
+                                                                    "port '" + at->second.path +
+                                                                        "' was destroyed or disconnected; the watch "
+                                                                        "has ended"),
+                                                           false});
             at = watches_.erase(at);
             someEnded = true;
         }
@@ -154,6 +186,10 @@ void OroStreams::onTick(std::int64_t now) {
 
 bool OroStreams::readAll(Watch& watch, std::int64_t now) {
     const bool isConnected = watch.port->isConnected();
+    if (watch.batches) {
+        watch.batches->readAll(*watch.port, client_.queue(), kMostAtOnce);
+        return isConnected;
+    }
     if (now < watch.next) return isConnected;
     std::string value;
     // With a rate, the newest of those that wait.

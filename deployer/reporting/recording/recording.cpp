@@ -2,17 +2,15 @@
 // Copyright Oroforge contributors
 #include "recording.hpp"
 
+#include <reporting/mcap_file/about.hpp>
 #include <rtt/Logger.hpp>
 #include <rtt/os/TimeService.hpp>
 
 #include <algorithm>
 #include <chrono>
-#include <ctime>
-#include <filesystem>
-#include <fstream>
-#include <sys/utsname.h>
-#include <system_error>
 #include <utility>
+
+#include <unistd.h>
 
 namespace OCL::recording {
 namespace {
@@ -30,26 +28,6 @@ std::int64_t timeOfDay() {
         .count();
 }
 
-std::string dateNow() {
-    const std::time_t now = std::time(nullptr);
-    std::tm parts{};
-    char text[32] = "";
-    if (gmtime_r(&now, &parts)) (void)std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
-    return text;
-}
-
-/** How the process was started, which names the files of its deployment. */
-std::string commandLine() {
-    constexpr std::size_t kMost = 4096;
-    std::ifstream file("/proc/self/cmdline", std::ios::binary);
-    std::string text(kMost, '\0');
-    file.read(text.data(), static_cast<std::streamsize>(text.size()));
-    text.resize(static_cast<std::size_t>(file.gcount()));
-    while (!text.empty() && text.back() == '\0') text.pop_back();
-    std::replace(text.begin(), text.end(), '\0', ' ');
-    return text;
-}
-
 mcap::Metadata about(const RecordingOptions& options) {
     mcap::Metadata result{"oroforge", {}};
     result.texts["component"] = options.component;
@@ -57,14 +35,7 @@ mcap::Metadata about(const RecordingOptions& options) {
     result.texts["version"] = OROFORGE_VERSION;
     // The same run in simulated time gives the same file.
     if (!options.realtime) return result;
-    result.texts["start"] = dateNow();
-    result.texts["command"] = commandLine();
-    std::error_code error;
-    result.texts["folder"] = std::filesystem::current_path(error).string();
-    utsname system{};
-    if (::uname(&system) != 0) return result;
-    result.texts["host"] = system.nodename;
-    result.texts["kernel"] = std::string(system.sysname) + " " + system.release + " " + system.machine;
+    result.texts.merge(aboutProcess(::getpid()));
     return result;
 }
 

@@ -4,7 +4,7 @@
 #define OROFORGE_RECORDING_RECORDING_HPP
 
 #include "chunk_pipe.hpp"
-#include "record_file.hpp"
+#include "chunk_takers.hpp"
 #include "recorded_source.hpp"
 #include "state_channel.hpp"
 
