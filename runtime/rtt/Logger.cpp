@@ -7,6 +7,7 @@
 #include <rtt/detail/log_sink.hpp>
 #include <rtt/internal/flow/reclaimer.hpp>
 #include <rtt/internal/located_log.hpp>
+#include <rtt/internal/log_file_name.hpp>
 #include <rtt/os/StartStopManager.hpp>
 #include <rtt/os/log_hook.hpp>
 
@@ -187,6 +188,11 @@ LogReceiver::~LogReceiver() = default;
 LogReceiver* setLogObserver(LogReceiver* observer) {
     Logger::Instance();
     return logSink().setObserver(observer);
+}
+
+std::string internal::flushedLogFile() {
+    Logger::Instance();
+    return logSink().flushedFile();
 }
 
 void Logger::startup() { logSink().startup(); }

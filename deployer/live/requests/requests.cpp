@@ -44,6 +44,7 @@ const std::map<std::string, Verb>& verbs() {
         {"lifecycle", {&lifecycle, &Rights::lifecycle, 10, false}},
         {"describe", {&describe, nullptr, 1, false}},
         {"graph", {&graph, nullptr, 1, false}},
+        {"lines", {&lines, nullptr, 1, false}},
         {"ports", {&ports, nullptr, 1, false}},
         {"top", {&top, nullptr, 15, false}},
     };

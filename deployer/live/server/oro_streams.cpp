@@ -2,13 +2,12 @@
 // Copyright Oroforge contributors
 #include "oro_streams.hpp"
 
+#include "../requests/log_levels.hpp"
 #include "live_client.hpp"
 #include "oro_messages.hpp"
 
 #include <cmath>
 #include <utility>
-
-#include <strings.h>
 
 namespace OCL::live {
 namespace {
@@ -22,18 +21,6 @@ constexpr unsigned kUsualBuffer = 128, kLargestBuffer = 10000;
 /** Of one port at a time, so that a fast one does not keep the others waiting. */
 constexpr unsigned kMostAtOnce = 2000;
 constexpr double kSecond = 1e9;
-const char* const kLevels[] = {"Never", "Fatal", "Critical", "Error", "Warning", "Info", "Debug", "RealTime"};
-
-bool parseLevel(const json& from, RTT::LoggerLevel& level) {
-    if (!from.is_string()) return false;
-    for (int i = RTT::Never; i <= RTT::RealTime; ++i)
-        if (::strcasecmp(kLevels[i], from.get_ref<const std::string&>().c_str()) == 0) {
-            level = static_cast<RTT::LoggerLevel>(i);
-            return true;
-        }
-    return false;
-}
-
 /** The number of that name; `otherwise` if there is none. False if it is not between the limits. */
 bool parseNumber(const json& message, const char* name, double least, double most, double& number) {
     const auto found = message.find(name);
@@ -113,14 +100,11 @@ void OroStreams::watch(const json& message, const json& id) {
 void OroStreams::log(const json& message, const json& id) {
     Log made;
     const auto level = message.find("level");
-    if (level != message.end() && !level->is_null() && !parseLevel(*level, made.level))
-        return client_.sendText(oroError(id, kMalformed,
-                                         "'level' is none of Fatal, Critical, Error, Warning, Info "
-                                         "and Debug"));
+    if (level != message.end() && !level->is_null() &&
+        !(level->is_string() && parseLevel(level->get<std::string>(), made.level)))
+        return client_.sendText(oroError(id, kMalformed, kLevelExpected));
     if (!message.value("follow", json(true)).is_boolean() || !message.value("follow", true))
-        return client_.sendText(oroError(id, kMalformed,
-                                         "lines of the past are in the file of the log only; "
-                                         "'follow' must be true"));
+        return client_.sendText(oroError(id, kMalformed, "'oro.lines' gives lines of the past; 'follow' must be true"));
     if (logs_.size() >= kMostLogs) return client_.sendText(oroError(id, kTooMany, "256 streams of the log"));
     made.id = id;
     made.channel = ++lastChannel_;
@@ -217,7 +201,7 @@ void OroStreams::onLines(const std::vector<LogLine>& lines, std::uint64_t droppe
             client_.queue().addSample(log.channel, {textOf({{"op", "oro.line"},
                                                             {"id", log.id},
                                                             {"time", line.time},
-                                                            {"level", kLevels[line.level]},
+                                                            {"level", kLogLevels[line.level]},
                                                             {"origin", line.origin},
                                                             {"text", line.text},
                                                             {"dropped", lost}}),

@@ -6,6 +6,7 @@ import os
 import select
 import signal
 import subprocess
+import time
 
 from oro_case import ORO, OroCase, main
 
@@ -125,6 +126,36 @@ class Deployed(OroCase):
             self.assertTrue(line, "the log has ended")
             line = process.stdout.readline()
         self.assertRegex(line, r"^\d\d:\d\d:\d\d\.\d{3}  Info      ")
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(0, process.wait(10))
+
+    def test_the_log_begins_with_its_file(self):
+        self.assertIn("writes no log file", self.oro("log", status=1)[1])
+        self.environment["ORO_LOGFILE"] = "app.log"
+        self.oro("stop")
+        self.deployer.wait(15)
+        self.deploy(SCRIPT)
+        for number in range(5):
+            self.oro("set", "tank.capacity", str(number))
+        self.oro("call", "tank.fill", "-1")
+        out, _ = self.oro("log", "-n", "3")
+        self.assertEqual(3, out.count("\n"))
+        self.assertRegex(out, r"^\d\d:\d\d:\d\d\.\d{3}  Info      ")
+        lines = [json.loads(line) for line in self.oro("log", "-n", "10000", "--format=json")[0].splitlines()]
+        self.assertGreater(len(lines), 20)
+        self.assertTrue(any("tank.capacity" in one["text"] for one in lines))
+        self.assertLess(abs(lines[-1]["time"] / 1e9 - time.time()), 60)
+        few = [json.loads(line) for line in self.oro("log", "-n", "10000", "--level", "Warning", "--format=json")[0].splitlines()]
+        self.assertEqual([one for one in lines if one["level"] not in ("Info", "Debug")], few)
+        self.oro("log", "--level", "loud", status=1)
+        self.oro("log", "-n", "many", status=2)
+        process = self.start_oro("log", "-f", "-n", "2", "--format=json")
+        old = [json.loads(process.stdout.readline()) for _ in range(2)]
+        self.oro("set", "tank.capacity", "7")
+        new = json.loads(process.stdout.readline())
+        while "= 7" not in new["text"] and "7" not in new["text"]:
+            self.assertNotIn(new["text"], [one["text"] for one in old])
+            new = json.loads(process.stdout.readline())
         process.send_signal(signal.SIGINT)
         self.assertEqual(0, process.wait(10))
 
