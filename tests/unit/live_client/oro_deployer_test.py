@@ -165,6 +165,26 @@ class Deployed(OroCase):
         self.assertIn("did you mean 'capacity'?", err)
         self.assertEqual((" = 2\n", ""), self.oro("console", text="1 + 1\nquit\n3\n"))
 
+    def test_output_of_a_line_comes_as_it_is_written(self):
+        program = subprocess.Popen([ORO, "console"], cwd=self.directory, env=self.own(), text=True, stdin=subprocess.PIPE,
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        self.addCleanup(self.end, program)
+        program.stdin.write(".watch tank.level 3\n1 + 1\n")
+        program.stdin.close()
+        program.stdin = None  # communicate() would flush it
+        self.oro("call", "tank.fill", "0.25")
+        seen = ""
+        while "0.25" not in seen:  # the command waits for a third sample
+            seen = program.stdout.readline()
+            self.assertTrue(seen)
+        self.assertIsNone(program.poll())
+        self.oro("call", "tank.fill", "0.5")
+        self.oro("call", "tank.fill", "0.75")
+        rest = program.stdout.read()
+        self.assertIn(" = 2\n", rest)
+        self.assertLess(rest.index("0.5"), rest.index(" = 2"))
+        self.assertEqual(0, program.wait(10))
+
     def test_the_console_on_a_terminal(self):
         program = self.open_oro("console", NO_COLOR="1")
         prompt = "Deployer [S]> "
