@@ -2,15 +2,18 @@
 # Copyright Oroforge contributors
 """oro record and a real deployer; oro-mcap reads what it has written."""
 import json
+import os
+import pathlib
 import signal
 import subprocess
 import sys
 import time
+import unittest
 
 # Before oro_case takes its words.
 TOOL = sys.argv.pop(5)
 
-from oro_case import OroCase, main  # noqa: E402
+from oro_case import SOURCES, OroCase, main  # noqa: E402
 
 SCRIPT = """
 import("ocl")
@@ -94,6 +97,18 @@ class Recording(OroCase):
         # What was dropped behind the last message is in no gap.
         self.assertIn(done["lost"] - (last + 1 - len(messages)), range(10))
         self.assertIn(f"oroforge.lost: /hello/the_results={done['lost']} all={done['lost']}\n", self.tool("info", "gaps.mcap"))
+
+    @unittest.skipUnless("MCAP_JUDGES" in os.environ, "./dev judges installs the readers")
+    def test_others_read_it(self):
+        self.ended(self.start_recording("hello", "rosout", "-o", "others.mcap", "--buffer", "1", "--duration", "1"))
+        judge = str(pathlib.Path(SOURCES) / "tests/mcap_judges/judge.mjs")
+        done = subprocess.run(["node", judge, "count", str(self.directory / "others.mcap")], cwd=os.environ["MCAP_JUDGES"],
+                              text=True, capture_output=True, timeout=20, check=True)
+        found = json.loads(done.stdout)
+        missing = int(found["metadata"]["oroforge.lost"]["/hello/the_results"])
+        self.assertEqual((True, self.topics("others.mcap")["/hello/the_results"][1]),
+                         (found["ordered"], found["counts"]["/hello/the_results"]))
+        self.assertIn(missing - found["gaps"], range(10))
 
     def test_a_recorder_that_is_stopped_holds_nothing_up(self):
         process = self.start_recording("hello", "-o", "stopped.mcap")
