@@ -28,6 +28,7 @@ add_library(orocos-ocl-live SHARED
   live/server/module.cpp
   live/server/oro_messages.cpp
   live/server/oro_streams.cpp
+  live/server/sample_batch.cpp
   live/server/server.cpp
   live/server/sockets.cpp
   live/server/text_depth.cpp
@@ -41,6 +42,8 @@ set_target_properties(orocos-ocl-live PROPERTIES
   BUILD_RPATH_USE_ORIGIN ON
   INSTALL_RPATH "$ORIGIN/..")
 install(TARGETS orocos-ocl-live LIBRARY DESTINATION lib/oroforge COMPONENT runtime)
-foreach(program deployer rttscript)
-  add_dependencies(${program} orocos-ocl-live)
+foreach(program deployer rttscript rttlua rttlua-tlsf rttlua-corba)
+  if(TARGET ${program})
+    add_dependencies(${program} orocos-ocl-live)
+  endif()
 endforeach()

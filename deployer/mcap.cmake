@@ -48,20 +48,30 @@ add_library(oroforge_message_schema STATIC
 target_include_directories(oroforge_message_schema PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
 set_target_properties(oroforge_message_schema PROPERTIES POSITION_INDEPENDENT_CODE ON)
 
+# Recordings, for programs with and without the runtime.
+add_library(oroforge_mcap_file STATIC
+  reporting/mcap_file/about.cpp
+  reporting/mcap_file/record_file.cpp
+  reporting/mcap_file/split.cpp
+  reporting/report_file.cpp)
+target_include_directories(oroforge_mcap_file PRIVATE ${PROJECT_SOURCE_DIR}/runtime)
+target_link_libraries(oroforge_mcap_file PUBLIC oroforge_mcap)
+set_target_properties(oroforge_mcap_file PROPERTIES POSITION_INDEPENDENT_CODE ON)
+
 oroforge_component_library(reporting-mcap
   reporting/recording/McapReporting.cpp
   reporting/recording/about.cpp
   reporting/recording/chunk_pipe.cpp
+  reporting/recording/chunk_takers.cpp
   reporting/recording/components.cpp
   reporting/recording/log_channel.cpp
   reporting/recording/options.cpp
-  reporting/recording/record_file.cpp
   reporting/recording/recorded_source.cpp
   reporting/recording/recording.cpp
   reporting/recording/state_channel.cpp)
 target_link_libraries(orocos-ocl-reporting-mcap
   PUBLIC orocos-ocl-reporting
-  PRIVATE orocos-rtt-encoding $<BUILD_INTERFACE:oroforge_mcap> $<BUILD_INTERFACE:oroforge_diag>)
+  PRIVATE orocos-rtt-encoding $<BUILD_INTERFACE:oroforge_mcap_file> $<BUILD_INTERFACE:oroforge_diag>)
 target_compile_definitions(orocos-ocl-reporting-mcap PRIVATE OROFORGE_VERSION="${PROJECT_VERSION}")
 
 # What repeats them. A deployer loads it when it is needed (replay/player.hpp).

@@ -48,6 +48,16 @@ target_link_libraries(oroforge_live_client
   PUBLIC oroforge_diag nlohmann_json::nlohmann_json
   PRIVATE CLI11::CLI11 PkgConfig::EDIT Boost::headers Threads::Threads)
 
+if(TARGET oroforge_mcap_file)
+  target_sources(oroforge_live_client PRIVATE
+    live/client/port_patterns.cpp
+    live/client/record_command.cpp
+    live/client/recorder.cpp)
+  target_link_libraries(oroforge_live_client PRIVATE oroforge_mcap_file)
+else()
+  target_sources(oroforge_live_client PRIVATE live/client/no_recordings.cpp)
+endif()
+
 add_executable(oro bin/oro.cpp)
 target_link_libraries(oro PRIVATE oroforge_live_client)
 install(TARGETS oro RUNTIME DESTINATION bin COMPONENT runtime)

@@ -56,6 +56,8 @@ LAYER_OF = {
     "deployer/lua/": "lua",
     "deployer/reporting/": "reporting",
     "deployer/reporting/mcap/": "mcap",     # the file format alone
+    "deployer/reporting/mcap_file/": "mcap_file",
+    "deployer/reporting/report_file.": "mcap_file",     # also begins the files of other reporters
     "deployer/reporting/mcap_tool/": "mcap_tool",
     "deployer/reporting/schema/": "message_schema",     # what messages consist of, by the text in the file
     "deployer/replay/": "replay",
@@ -125,16 +127,17 @@ MAY_INCLUDE = {
     "deployment": DEPLOYER | {"corba", "cpf"},
     "console": DEPLOYER | {"console_text"},
     "console_text": set(),
-    "live_client": {"diag", "console_text"},
+    "live_client": {"diag", "console_text", "mcap", "mcap_file"},
     "live_requests": DEPLOYER | {"encoding", "console", "console_text"},
     "live_door": {"os"},                    # in every deployment: neither JSON nor Beast
     "live_samples": DEPLOYER | {"encoding"},
     "live_server": DEPLOYER | {"encoding", "live_door", "live_requests", "live_samples"},
     "lua": DEPLOYER,
     "mcap": set(),
+    "mcap_file": {"os", "mcap"},            # what recorders with and without the runtime write
     "message_schema": set(),
     "mcap_tool": {"diag", "mcap", "message_schema"},    # a program without the runtime
-    "reporting": DEPLOYER | {"encoding", "mcap"},
+    "reporting": DEPLOYER | {"encoding", "mcap", "mcap_file"},
     "replay": DEPLOYER | {"encoding", "mcap", "message_schema"},
     "schedule": DEPLOYER | {"replay"},
     "logging": DEPLOYER,

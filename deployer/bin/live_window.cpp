@@ -13,6 +13,7 @@
 #include <rtt/internal/located_log.hpp>
 #include <rtt/plugin/shared_library.hpp>
 
+#include <chrono>
 #include <csignal>
 #include <iostream>
 #include <optional>
@@ -73,6 +74,7 @@ struct LiveWindow::Impl {
         result.name = options.name;
         result.version = programVersion();
         result.files = options.files;
+        result.started = started;
         // As if somebody had sent it.
         result.stop = [] { (void)::kill(::getpid(), SIGTERM); };
         return result;
@@ -83,6 +85,9 @@ struct LiveWindow::Impl {
     void letIn(live::Descriptor client);
 
     const Options options;
+    const std::int64_t started =
+        std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::system_clock::now().time_since_epoch())
+            .count();
     DeploymentComponent* deployer = nullptr;
     std::optional<live::SocketFolder> folder;
     std::optional<live::DoorSocket> socket;

@@ -23,7 +23,9 @@ LuaCommandLine parseLuaCommandLine(std::vector<std::string> words) {
             ++at;
             break;
         }
-        if (word == "-i" || word == "-v") {
+        if (word == "--no-live" || word.compare(0, 5, "--web") == 0) {
+            line.live.push_back(word);
+        } else if (word == "-i" || word == "-v") {
             line.version = true;
             line.interactive = line.interactive || word == "-i";
         } else if (word[1] == 'e' || word[1] == 'l') {
@@ -50,6 +52,8 @@ std::string luaUsage(const std::string& program) {
            "  -l NAME  loads a module, as require(NAME)\n"
            "  -i       reads what is typed, after the script\n"
            "  -v       shows versions\n"
+           "  --no-live, --web[=ADDRESS:PORT], --web-allow=WORDS, --web-origin=SITES, --web-token-file=FILE\n"
+           "           as those of the deployer: who may look at the components\n"
            "  --       ends the options\n"
            "  -        takes standard input as the script\n"
            "Without script and options, it reads what is typed, or executes standard input.\n";

@@ -19,6 +19,7 @@ struct LuaCommandLine {
     std::vector<std::string> words;  ///< all, with the program
     std::vector<Step> steps;         ///< in the order in which they are to be done
     std::size_t script = 0;          ///< which of the words; 0 if there is none
+    std::vector<std::string> live;   ///< options of the live window
     bool version = false;
     bool interactive = false;
     std::string error;  ///< why it is not valid; empty if it is

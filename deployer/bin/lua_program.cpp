@@ -3,6 +3,7 @@
 #include "lua_program.hpp"
 
 #include "crash_report.hpp"
+#include "live_window.hpp"
 #include "lua_session.hpp"
 
 #include <rtt/Logger.hpp>
@@ -58,22 +59,41 @@ std::unique_ptr<DeploymentComponent> makeDeployer(const LuaProgram& program, Wor
     return made;
 }
 
-int interpret(const LuaCommandLine& line, const LuaProgram& program, Words& words) {
+/** The options of the live window. False, with the reason, if they are wrong. */
+bool liveOptions(LuaCommandLine& line, const LuaProgram& program, Options& options) {
+    std::vector<std::string> given{program.name};
+    given.insert(given.end(), line.live.begin(), line.live.end());
+    std::vector<char*> words;
+    for (std::string& word : given) words.push_back(word.data());
+    words.push_back(nullptr);
+    const bool good = parseOptions(static_cast<int>(given.size()), words.data(), options, line.error);
+    options.name = program.name;
+    if (line.script) options.files = {line.words[line.script]};
+    return good;
+}
+
+int interpret(const LuaCommandLine& line, const LuaProgram& program, const Options& options, Words& words) {
     // Catches signals from now on, so that one during start-up ends the program in order, too.
     std::optional<RTT::os::SignalCatcher> ending;
     ending.emplace(std::initializer_list<int>{SIGINT, SIGTERM, SIGHUP});
+    LiveWindow listening(options);
+    if (listening.failed()) return kFailure;
     const AtEnd atEnd{program.end};
     // Outlives the components that the deployer has loaded, which may call it.
     const LuaOwner owner = program.makeLua();
     const std::unique_ptr<DeploymentComponent> deployer = makeDeployer(program, words);
     owner.component->connectPeers(deployer.get());
-    const int status = runLuaSession(line, program.name, *owner.state, ending->descriptor());
+    int status = kFailure;
+    {
+        const LiveWindow::Opened live(listening, *deployer);
+        if (live) status = runLuaSession(line, program.name, *owner.state, ending->descriptor());
+    }
     ending.reset();  // so that the next signal ends a shutdown that hangs
     deployer->shutdownDeployment();
     return status;
 }
 
-int runWithRuntime(const LuaCommandLine& line, const LuaProgram& program, Words& words) {
+int runWithRuntime(const LuaCommandLine& line, const LuaProgram& program, const Options& options, Words& words) {
     if (__os_init(static_cast<int>(words.runtime.size()) - 1, words.runtime.data()) != 0) {
         std::cerr << program.name << ": the runtime does not start\n";
         return kFailure;
@@ -82,7 +102,7 @@ int runWithRuntime(const LuaCommandLine& line, const LuaProgram& program, Words&
     const RTT::Logger::In in(program.name);
     int status = kFailure;
     try {
-        status = interpret(line, program, words);
+        status = interpret(line, program, options, words);
     } catch (const std::exception& thrown) {
         RTT::log(RTT::Critical) << "uncaught exception: " << thrown.what() << RTT::endlog();
     }
@@ -96,8 +116,9 @@ int runLuaProgram(int argc, char** argv, const LuaProgram& program) {
     // A reader of the output, such as roslaunch, sees each line at once.
     if (!isatty(STDOUT_FILENO)) std::setvbuf(stdout, nullptr, _IOLBF, 0);
     Words words(argc, argv, program.makeServer != nullptr);
-    const LuaCommandLine line = parseLuaCommandLine(words.lua);
-    if (line.error.empty()) return runWithRuntime(line, program, words);
+    LuaCommandLine line = parseLuaCommandLine(words.lua);
+    Options options;
+    if (line.error.empty() && liveOptions(line, program, options)) return runWithRuntime(line, program, options, words);
     std::cerr << program.name << ": " << line.error << '\n' << luaUsage(program.name);
     return kFailure;
 }

@@ -13,6 +13,7 @@ add_library(oroforge_live_requests OBJECT
   live/requests/graph.cpp
   live/requests/interface_json.cpp
   live/requests/lifecycle.cpp
+  live/requests/lines.cpp
   live/requests/lookup.cpp
   live/requests/ports.cpp
   live/requests/requests.cpp

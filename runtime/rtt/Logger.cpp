@@ -7,6 +7,7 @@
 #include <rtt/detail/log_sink.hpp>
 #include <rtt/internal/flow/reclaimer.hpp>
 #include <rtt/internal/located_log.hpp>
+#include <rtt/internal/log_file_name.hpp>
 #include <rtt/os/StartStopManager.hpp>
 #include <rtt/os/log_hook.hpp>
 
@@ -184,6 +185,11 @@ LogReceiver* Logger::setReceiver(LogReceiver* receiver, LogReceiverUse use) {
 }
 
 LogReceiver::~LogReceiver() = default;
+
+std::string internal::flushedLogFile() {
+    Logger::Instance();
+    return logSink().flushedFile();
+}
 
 void Logger::startup() { logSink().startup(); }
 void Logger::shutdown() { logSink().shutdown(); }

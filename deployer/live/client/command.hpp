@@ -13,7 +13,21 @@ namespace oroforge::live_client {
 class Session;
 
 /** What can stand in place of an argument or the value of an option, for completion. */
-enum class Names { None, Component, Part, Port, Field, Value, Operation, Deployment, Shell, Level, Format, File };
+enum class Names {
+    None,
+    Component,
+    Part,
+    Port,
+    Field,
+    Value,
+    Operation,
+    Deployment,
+    Shell,
+    Level,
+    Format,
+    Compression,
+    File
+};
 
 struct Argument {
     const char* name;
@@ -74,6 +88,7 @@ void echoPort(Session& session);
 void showRate(Session& session);
 void showDelay(Session& session);
 void plotPort(Session& session);
+void recordPorts(Session& session);
 void showLog(Session& session);
 void showGraph(Session& session);
 void showTop(Session& session);

@@ -66,15 +66,16 @@ std::vector<Command> lookingCommands() {
          {{"oro top", ""}},
          showTop},
         {"log",
-         "lines of the log, as they come",
-         "Shows the lines that the deployment logs from now on, until Ctrl-C. Earlier ones are in its log file.",
+         "lines of the log",
+         "Shows the latest lines of the deployment's log file; with --follow also those that come, until Ctrl-C.",
          {},
-         {{"-f,--follow", nullptr, "Does so anyway; for the habit of other programs."},
-          {"--count", "N", "Ends after so many lines."},
+         {{"-f,--follow", nullptr, "Goes on with the lines that the deployment logs from now on."},
+          {"-n,--lines", "N", "So many lines of the past; 20 if not given."},
+          {"--count", "N", "Follows, and ends after so many new lines."},
           {"--level", "LEVEL",
            "Only lines of this level and those that are worse: Debug, Info, Warning, Error, Critical, Fatal.",
            Names::Level}},
-         {{"oro log -f", ""}, {"oro log --level Warning", ""}},
+         {{"oro log -f", ""}, {"oro log -n 100 --level Warning", ""}},
          showLog},
     };
 }
@@ -181,6 +182,26 @@ std::vector<Command> portCommands() {
           {"--once", nullptr, "Draws once, when the time has passed."}},
          {{"oro plot arm.position.x", ""}, {"oro plot tank.level --seconds 60", ""}},
          plotPort},
+        {"record",
+         "records ports to a file for Foxglove and PlotJuggler",
+         "Writes all samples of output ports to an MCAP file, until Ctrl-C or the end of the deployment: all ports and "
+         "the log, or those that the patterns match. Components that come later are recorded, too. Samples that did "
+         "not find room are gaps in the numbers of the messages, and are counted. A file that exists is refused. "
+         "'oro-mcap' reads recordings.",
+         {{"PATTERN",
+           "ports, as in 'arm.*'; a component or service, with all its ports; a topic, as in /arm/position; rosout: "
+           "the log",
+           Names::Port, 0, kAny}},
+         {{"-o,--output", "FILE", "The file; if not given, the name of the deployment with date and time.",
+           Names::File},
+          {"--force", nullptr, "Overwrites a file that exists."},
+          {"--duration", "SECONDS", "Ends after so many seconds."},
+          {"--compression", "NAME", "zstd, lz4 or none; zstd if not given.", Names::Compression},
+          {"--split", "SIZE|TIME",
+           "When a file ends and the next one begins, as in '500 MB' or '60 s'; they are FILE_1, FILE_2 and so on."},
+          {"--buffer", "N", "So many samples of a port may wait in the deployment; 200 if not given."}},
+         {{"oro record", "all ports"}, {"oro record 'arm.*' camera.image -o run.mcap --duration 10", ""}},
+         recordPorts},
     };
 }
 

@@ -121,6 +121,7 @@ std::vector<Candidate> namesOf(Names kind, const std::string& word, const Given&
         case Names::Shell: return wordsOf({"bash", "zsh", "fish"});
         case Names::Level: return wordsOf({"Debug", "Info", "Warning", "Error", "Critical", "Fatal"});
         case Names::Format: return wordsOf({"text", "json"});
+        case Names::Compression: return wordsOf({"zstd", "lz4", "none"});
         case Names::Deployment: {
             std::vector<Candidate> all;
             for (const Deployment& one : runningDeployments())

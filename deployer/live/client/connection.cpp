@@ -135,6 +135,7 @@ public:
         };
         runUntil(deadline, happened);
         if (event != Event::Message) return event;
+        if (stream_.got_binary()) event = Event::Bytes;
         text = beast::buffers_to_string(buffer_.data());
         buffer_.consume(buffer_.size());
         arrived_ = false;

@@ -26,7 +26,8 @@ Address parseAddress(const std::string& url);
 class Connection {
 public:
     enum class Event {
-        Message,  ///< one has arrived
+        Message,  ///< a text has arrived
+        Bytes,    ///< a binary message has arrived
         Time,     ///< the deadline has passed
         Woken,    ///< a descriptor of wakeOn() is readable
         Broken,   ///< the descriptor of endOn() has nobody at its other end
@@ -45,7 +46,7 @@ public:
     /** Sends a text. False if that was not possible until the deadline. */
     virtual bool send(const std::string& text, Deadline deadline) = 0;
     /** Waits for the next message; answers pings meanwhile. */
-    virtual Event receive(std::string& text, Deadline deadline) = 0;
+    virtual Event receive(std::string& message, Deadline deadline) = 0;
     /** receive() also ends when one of these descriptors is readable, which they stay until they are read; those of an
         earlier call mean nothing then. */
     virtual void wakeOn(const std::vector<int>& descriptors) = 0;

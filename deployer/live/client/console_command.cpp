@@ -32,7 +32,7 @@ public:
     /** Executes a line there and writes what it answers. False if the console shall be left. */
     bool execute(const std::string& line) {
         deployment_.connection().wakeOn({interrupts_.descriptor()});
-        const long long id = deployment_.send("line", {{"line", line}});
+        const long long id = deployment_.send("line", {{"line", line}, {"live", true}});
         long long interrupt = 0;  // id of the request that asks for the end of the line
         bool mayLeave = false;    // the line was not stopped in time
         Deadline patient = kNever;
@@ -53,6 +53,8 @@ public:
                 patient = deadlineIn(kPatience);
                 continue;
             }
+            if (textOf(message, "op") == "oro.output" && wholeOf(message, "id", -1) == id)
+                session_.out().write(shown(textOf(message, "text")));
             if (interrupt && Requests::answers(message, interrupt) && !truthOf(Requests::resultOf(message), "done")) {
                 // The line has not begun yet there.
                 usleep(kBetweenInterrupts);

@@ -58,6 +58,7 @@ void follow(Session& session, const std::string& verb, const Json& fields, const
             if (Requests::answers(message, id)) {
                 Requests::resultOf(message);
                 begun = true;
+                if (follower.begin) follower.begin();
             } else if (textOf(message, "op") == op && wholeOf(message, "id", -1) == id && !follower.each(message)) {
                 return;
             }

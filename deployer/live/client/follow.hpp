@@ -16,6 +16,7 @@ struct Follower {
     std::function<bool(const Json& message)> each;  ///< for each message of the request
     std::function<bool()> tick = {};                ///< each `interval`; none if empty
     std::chrono::milliseconds interval{1000};
+    std::function<void()> begin = {};  ///< once, when the deployment has accepted
 };
 
 /** Sends the request, then gives its messages, whose `op` is that, to the follower. Returns at

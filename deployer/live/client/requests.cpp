@@ -98,6 +98,11 @@ Requests::Event Requests::receive(Json& message, Deadline deadline) {
                 const std::string why = connection_->reason();
                 throw Ended(where() + (why.empty() ? " has ended" : " ended the connection: " + why));
             }
+            case Connection::Event::Bytes:
+                if (takeBytes_) takeBytes_(text);
+                // They may come without a pause.
+                if (Clock::now() >= deadline) return Event::Time;
+                continue;
             case Connection::Event::Message: break;
         }
         message = parsed(text);

@@ -9,8 +9,10 @@
 
 #include <chrono>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include <sys/types.h>
 
@@ -36,6 +38,9 @@ public:
     /** The result of an answer; throws the Refusal of an error. */
     static Json resultOf(const Json& answer);
 
+    /** Binary messages go to this function as they come, while any function waits. Without it, they are ignored. */
+    void onBytes(std::function<void(std::string_view message)> take) { takeBytes_ = std::move(take); }
+
     Connection& connection() { return *connection_; }
     const std::string& name() const { return name_; }
     pid_t pid() const { return pid_; }
@@ -55,6 +60,7 @@ private:
     const std::chrono::milliseconds limit_;
     long long last_ = 0;
     std::deque<Json> waiting_;
+    std::function<void(std::string_view)> takeBytes_;
 };
 
 /** `limit` from now; never if that is later than a clock can say. */

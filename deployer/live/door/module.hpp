@@ -5,6 +5,7 @@
 #ifndef OROFORGE_LIVE_MODULE_HPP
 #define OROFORGE_LIVE_MODULE_HPP
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -26,6 +27,7 @@ struct ServerStart {
     RTT::TaskContext* deployer = nullptr;
     std::string name, version;
     std::vector<std::string> files;
+    std::int64_t started = 0;    ///< when the program began, in ns since 1970
     std::function<void()> stop;  ///< ends the program in order; any thread
     int local = -1;              ///< a Unix socket that listens; whoever enters there may do everything
     int client = -1;             ///< one that has connected to it

@@ -27,6 +27,20 @@ using RTT::internal::Interruption;
 
 constexpr std::size_t kMostConsoles = 16, kMostLines = 64, kMostText = 256 * 1024, kLogged = 200;
 
+/** Text that is collected, or goes on with each flush. */
+class Collected : public std::stringbuf {
+public:
+    std::function<void(const std::string&)> onFlush;  ///< may be empty
+
+private:
+    int sync() override {
+        if (!onFlush || str().empty()) return 0;
+        onFlush(cut(str(), kMostText));
+        str("");
+        return 0;
+    }
+};
+
 /** The console and what it needs; lives in the thread of its session. */
 struct Terminal {
     Terminal(RTT::TaskContext& deployer, const std::string& caller)
@@ -35,13 +49,14 @@ struct Terminal {
     }
     ~Terminal() { self.stopForGood(); }
 
-    std::string taken(std::ostringstream& from) {
+    static std::string taken(Collected& from) {
         const std::string text = from.str();
         from.str("");
         return cut(text, kMostText);
     }
 
-    std::ostringstream out, err;
+    Collected outText, errText;
+    std::ostream out{&outText}, err{&errText};
     RTT::TaskContext self;
     OCL::console::Console console;
 };
@@ -169,10 +184,13 @@ void Consoles::line(const std::shared_ptr<Ticket>& ticket) {
     Session& session = sessionOf(ticket->caller().name);
     session.add(ticket, [&session, ticket, line](Terminal& terminal) {
         RTT::log(RTT::Info) << ticket->caller().name << " types: " << cut(line, kLogged) << RTT::endlog();
+        if (ticket->request().value("live", json()) == true)
+            terminal.outText.onFlush = [&ticket](const std::string& text) { ticket->say(text); };
         const bool whole = session.execute([&] { terminal.console.execute(line); });
+        terminal.outText.onFlush = nullptr;
         const std::string prompt = terminal.console.prompt();
-        ticket->answer({{"out", terminal.taken(terminal.out)},
-                        {"err", terminal.taken(terminal.err)},
+        ticket->answer({{"out", Terminal::taken(terminal.outText)},
+                        {"err", Terminal::taken(terminal.errText)},
                         {"prompt", prompt},
                         {"quits", terminal.console.quits()},
                         {"interrupted", !whole}});

@@ -2,7 +2,12 @@
 // Copyright Oroforge contributors
 #include "ports.hpp"
 
+#include "verbs.hpp"
+
+#include <rtt/base/OutputPortInterface.hpp>
 #include <rtt/types/Types.hpp>
+
+#include <utility>
 
 namespace OCL::live {
 
@@ -10,6 +15,16 @@ using RTT::base::PortInterface;
 
 std::string typeOfPort(const PortInterface& port) {
     return RTT::types::Types()->toDot(port.getTypeInfo()->getTypeName());
+}
+
+/** The verb `ports`. */
+nlohmann::json ports(const Asked& asked) {
+    Visits visits;
+    const KnownPorts known({asked.root.gate}, visits);
+    nlohmann::json outputs = nlohmann::json::array();
+    for (const KnownPorts::Port& at : known.all())
+        if (at.port->asOutput()) outputs.push_back(at.component + "." + at.name);
+    return {{"outputs", std::move(outputs)}};
 }
 
 }  // namespace OCL::live

@@ -11,9 +11,9 @@
 #include <diag/nearest_match.hpp>
 #include <rtt/ExecutionEngine.hpp>
 #include <rtt/Logger.hpp>
+#include <rtt/internal/log_file_name.hpp>
 #include <rtt/rtt-config.h>
 
-#include <chrono>
 #include <map>
 #include <utility>
 
@@ -44,6 +44,8 @@ const std::map<std::string, Verb>& verbs() {
         {"lifecycle", {&lifecycle, &Rights::lifecycle, 10, false}},
         {"describe", {&describe, nullptr, 1, false}},
         {"graph", {&graph, nullptr, 1, false}},
+        {"lines", {&lines, nullptr, 1, false}},
+        {"ports", {&ports, nullptr, 1, false}},
         {"top", {&top, nullptr, 15, false}},
     };
     return all;
@@ -71,11 +73,6 @@ std::string userName() {
     return entry ? entry->pw_name : std::to_string(geteuid());
 }
 
-std::int64_t nowSince1970() {
-    using namespace std::chrono;
-    return duration_cast<nanoseconds>(system_clock::now().time_since_epoch()).count();
-}
-
 }  // namespace
 
 struct Requests::State {
@@ -89,7 +86,6 @@ struct Requests::State {
     const Deployment about;
     const std::function<void()> stop;
     const std::string user;
-    const std::int64_t started = nowSince1970();
     Workers workers;
     std::map<std::string, std::shared_ptr<Outlet>> outlets;
     Consoles consoles{root};
@@ -107,8 +103,15 @@ struct Requests::State {
         if (rights.lifecycle) allow.push_back("lifecycle");
         if (rights.stop) allow.push_back("stop");
         if (rights.console) allow.push_back("console");
-        return {{"name", about.name}, {"pid", getpid()},    {"version", about.version}, {"target", OROCOS_TARGET_NAME},
-                {"user", user},       {"started", started}, {"files", about.files},     {"allow", std::move(allow)}};
+        return {{"name", about.name},
+                {"pid", getpid()},
+                {"version", about.version},
+                {"target", OROCOS_TARGET_NAME},
+                {"user", user},
+                {"started", about.started},
+                {"files", about.files},
+                {"allow", std::move(allow)},
+                {"log", RTT::internal::flushedLogFile()}};
     }
 
     /** True if it was one of the verbs that this thread executes. */

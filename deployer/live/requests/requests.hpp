@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -34,10 +35,12 @@ struct Deployment {
     std::string name;
     std::vector<std::string> files;  ///< of the command line
     std::string version;             ///< of the toolchain
+    std::int64_t started = 0;        ///< in ns since 1970
 };
 
 /** Takes {"op": "oro.answer", "id", "result"} or {"op": "oro.error", "id", "code", "message"}, all in UTF-8. Called
-    once by any thread, perhaps within handle(); it must neither block nor throw nor destroy the Requests. */
+    once by any thread, perhaps within handle(); it must neither block nor throw nor destroy the Requests. Before that,
+    a line of the console that is `live` gives {"op": "oro.output", "id", "text"} as often as it likes. */
 using Answer = std::function<void(nlohmann::json)>;
 
 /**

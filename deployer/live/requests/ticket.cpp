@@ -35,14 +35,16 @@ Ticket::Ticket(std::shared_ptr<Outlet> outlet, nlohmann::json request, Caller ca
       caller_(std::move(caller)),
       answer_(std::move(answer)) {}
 
-void Ticket::answer(nlohmann::json result) { give({{"op", "oro.answer"}, {"result", std::move(result)}}); }
+void Ticket::answer(nlohmann::json result) { give({{"op", "oro.answer"}, {"result", std::move(result)}}, true); }
 
 void Ticket::fail(const char* code, const std::string& message) {
-    give({{"op", "oro.error"}, {"code", code}, {"message", message}});
+    give({{"op", "oro.error"}, {"code", code}, {"message", message}}, true);
 }
 
-void Ticket::give(nlohmann::json what) {
-    if (answered_.exchange(true)) return;
+void Ticket::say(const std::string& text) { give({{"op", "oro.output"}, {"text", text}}, false); }
+
+void Ticket::give(nlohmann::json what, bool isLast) {
+    if (isLast ? answered_.exchange(true) : answered_.load()) return;
     const auto id = request_.is_object() ? request_.find("id") : request_.end();
     what["id"] = id == request_.end() ? nlohmann::json() : *id;
     makeUtf8(what);

@@ -38,9 +38,11 @@ public:
     bool isOver() const { return answered_ || outlet_->isClosed(); }
     void answer(nlohmann::json result);
     void fail(const char* code, const std::string& message);
+    /** Something on the way to the answer: {"op": "oro.output", "id", "text"}. */
+    void say(const std::string& text);
 
 private:
-    void give(nlohmann::json what);
+    void give(nlohmann::json what, bool isLast);
 
     const std::shared_ptr<Outlet> outlet_;
     const nlohmann::json request_;

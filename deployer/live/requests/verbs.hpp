@@ -24,6 +24,8 @@ nlohmann::json call(const Asked& asked);
 nlohmann::json lifecycle(const Asked& asked);
 nlohmann::json describe(const Asked& asked);
 nlohmann::json graph(const Asked& asked);
+nlohmann::json lines(const Asked& asked);
+nlohmann::json ports(const Asked& asked);
 nlohmann::json top(const Asked& asked);
 
 }  // namespace OCL::live

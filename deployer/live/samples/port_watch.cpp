@@ -112,8 +112,10 @@ bool PortWatch::connect(RTT::base::OutputPortInterface& port, unsigned buffer) {
     if (!port.createConnection(*port_, policyFor(0))) return false;
     if (buffer == 0) return true;
     // A buffer has its samples from the beginning, so their size must be known before.
-    if (read(first_)) buffer = std::min<unsigned>(buffer, static_cast<unsigned>(kMostMemory / (first_.size() + 1)));
-    if (buffer <= 1) return true;
+    if (read(first_)) {
+        const auto room = static_cast<unsigned>(kMostMemory / (first_.size() + 1));
+        buffer = std::clamp(room, 1U, buffer);  // a data connection would not count what it drops
+    }
     port_->disconnect();
     first_.clear();
     return port.createConnection(*port_, policyFor(buffer));

@@ -51,6 +51,8 @@ public:
     std::uint64_t dropped();
 
     const std::string& type() const { return type_; }
+    /** Of the type's fields, with SampleForm::Cdr. */
+    std::uint64_t fingerprint() const { return plan_ ? plan_->fingerprint() : 0; }
     /** The value that read() sets; for its members. */
     RTT::base::DataSourceBase& value() const { return *value_; }
 

@@ -144,27 +144,36 @@ void FoxgloveSession::onLines(const std::vector<LogLine>& lines) {
                 id, {foxgloveData(id, static_cast<std::uint64_t>(line.time), foxgloveLogLine(line)), true});
 }
 
-void FoxgloveSession::collect(std::vector<std::string> owners, Parameters known, Use use) {
-    if (owners.empty()) return use(known);
-    const std::string path = owners.back();
-    owners.pop_back();
-    // One after another: a client has a share of the threads only.
+/** Parameters that are asked for, one owner after another: a client has a share of the threads only. */
+struct FoxgloveSession::Collection {
+    std::vector<std::string> owners;  // that are left
+    Parameters known;
+    Use use;
+};
+
+void FoxgloveSession::collectAll(Use use) {
+    collect(std::make_shared<Collection>(Collection{model_.owners(), {}, std::move(use)}));
+}
+
+void FoxgloveSession::collect(const std::shared_ptr<Collection>& collection) {
+    if (collection->owners.empty()) return collection->use(collection->known);
+    const std::string path = collection->owners.back();
+    collection->owners.pop_back();
     client_.ask({{"op", "oro.show"}, {"id", 0}, {"path", path}},
-                [this, path, owners, known, use](LiveClient&, const json& answer) {
-                    Parameters more = known;
+                [this, path, collection](LiveClient&, const json& answer) {
                     if (answer.count("result") != 0)
                         for (const json& property : answer["result"].value("properties", json::array())) {
                             const std::string name = path + "." + property.value("name", "");
-                            more[name] = foxgloveParameter(name, property);
+                            collection->known[name] = foxgloveParameter(name, property);
                         }
-                    collect(owners, std::move(more), use);
+                    collect(collection);
                 });
 }
 
 void FoxgloveSession::getParameters(const json& message) {
     const std::set<std::string> names = namesOf(message);
     const json id = message.value("id", json());
-    collect(model_.owners(), {}, [this, names, id](const Parameters& all) {
+    collectAll([this, names, id](const Parameters& all) {
         json values = json::array();
         for (const auto& [name, value] : all)
             if (names.empty() || names.count(name) != 0) values.push_back(value);
@@ -194,7 +203,7 @@ void FoxgloveSession::setParameters(const json& message) {
 
 void FoxgloveSession::updateParameters() {
     if (std::exchange(isUpdating_, true)) return;
-    collect(model_.owners(), {}, [this](const Parameters& all) {
+    collectAll([this](const Parameters& all) {
         isUpdating_ = false;
         json changed = json::array();
         for (const std::string& name : followed_) {

@@ -49,7 +49,9 @@ private:
     void watch(Subscription& subscription, bool again = false);
     void getParameters(const nlohmann::json& message);
     void setParameters(const nlohmann::json& message);
-    void collect(std::vector<std::string> owners, Parameters known, Use use);
+    struct Collection;
+    void collectAll(Use use);
+    void collect(const std::shared_ptr<Collection>& collection);
     void updateParameters();
     void updateGraph();
     void call(const FoxgloveModel::Service& service, std::uint32_t call, const nlohmann::json& request);

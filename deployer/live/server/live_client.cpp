@@ -17,6 +17,10 @@ using nlohmann::json;
 
 constexpr std::size_t kMostBytes = 1024 * 1024;
 constexpr unsigned kMostOutstanding = 64;
+/** Of answers that the client does not read. More of them are under way when it is found full. */
+constexpr std::size_t kMostAnswers = 8 * kMostBytes;
+/** The output of its console, among channels of samples. */
+constexpr std::uint64_t kConsole = std::uint64_t(1) << 63U;
 
 /** An id is sent back with each sample. */
 bool isId(const json& id) {
@@ -44,9 +48,22 @@ void LiveClient::sendBinary(std::string bytes) {
     link_.wake();
 }
 
-void LiveClient::forwarded(std::string text) {
+void LiveClient::forwarded(const json& id, std::string text, bool isLine) {
     --outstanding_;
-    sendText(std::move(text));
+    if (queue_.answerBytes() != 0 && queue_.answerBytes() + text.size() > kMostAnswers)
+        text = oroError(id, kTooMany, "this client has not read 8 MiB of answers; this one is left out");
+    if (!isLine) return sendText(std::move(text));
+    if (const std::uint64_t dropped = queue_.dropped(kConsole); dropped != 0)
+        output(textOf(
+            {{"op", "oro.output"}, {"id", id}, {"text", "… (" + std::to_string(dropped) + " parts are left out)\n"}}));
+    // Behind its output.
+    queue_.addBehind(kConsole, {std::move(text), false});
+    link_.wake();
+}
+
+void LiveClient::output(std::string text) {
+    queue_.addSample(kConsole, {std::move(text), false});
+    link_.wake();
 }
 
 void LiveClient::receive(std::string_view message, bool isBinary) {

@@ -39,8 +39,10 @@ public:
 
     void sendText(std::string text);
     void sendBinary(std::string bytes);
-    /** The answer to something that was forwarded. */
-    void forwarded(std::string text);
+    /** The answer to something that was forwarded, a line of the console or another request. */
+    void forwarded(const nlohmann::json& id, std::string text, bool isLine);
+    /** Output of a line that is being executed. */
+    void output(std::string text);
 
     void onTick(std::int64_t now);
     void onLines(const std::vector<LogLine>& lines, std::uint64_t dropped);

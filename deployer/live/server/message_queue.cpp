@@ -21,6 +21,19 @@ void MessageQueue::addSample(std::uint64_t channel, Frame frame) {
     order_.emplace(turn, channel);
 }
 
+void MessageQueue::addBehind(std::uint64_t channel, Frame frame) {
+    Channel& own = channels_[channel];
+    own.behind.push_back(std::move(frame));
+    if (!own.waiting.empty()) return;
+    release(own);
+    channels_.erase(channel);
+}
+
+void MessageQueue::release(Channel& channel) {
+    for (Frame& frame : channel.behind) addAnswer(std::move(frame));
+    channel.behind.clear();
+}
+
 void MessageQueue::makeRoom(std::size_t size, std::uint64_t channel) {
     Channel& own = channels_[channel];
     while (sampleBytes_ + size > limit_ && !own.waiting.empty()) drop(channel);
@@ -39,6 +52,7 @@ void MessageQueue::drop(std::uint64_t channel) {
     order_.erase(oldest->first);
     from.waiting.erase(oldest);
     ++from.dropped;
+    if (from.waiting.empty()) release(from);
 }
 
 bool MessageQueue::next(Frame& frame) {
@@ -50,11 +64,15 @@ bool MessageQueue::next(Frame& frame) {
     }
     if (order_.empty()) return false;
     const auto oldest = order_.begin();
-    auto& waiting = channels_[oldest->second].waiting;
-    frame = std::move(waiting.begin()->second);
+    Channel& from = channels_[oldest->second];
+    const std::uint64_t channel = oldest->second;
+    frame = std::move(from.waiting.begin()->second);
     sampleBytes_ -= frame.bytes.size();
-    waiting.erase(waiting.begin());
+    from.waiting.erase(from.waiting.begin());
     order_.erase(oldest);
+    if (!from.waiting.empty() || from.behind.empty()) return true;
+    release(from);
+    channels_.erase(channel);
     return true;
 }
 

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <deque>
 #include <map>
+#include <vector>
 
 namespace OCL::live {
 
@@ -22,6 +23,11 @@ public:
 
     void addAnswer(Frame frame);
     void addSample(std::uint64_t channel, Frame frame);
+    /** Adds the last message of a channel, an answer: it comes after the samples that wait now, even if those are
+        dropped. */
+    void addBehind(std::uint64_t channel, Frame frame);
+    /** Samples may take so many bytes from now on. */
+    void setLimit(std::size_t bytes) { limit_ = bytes; }
     /** Moves the next message out; false if there is none. */
     bool next(Frame& frame);
     /** Forgets the samples of a channel, and their count. */
@@ -37,11 +43,14 @@ private:
     struct Channel {
         std::map<Turn, Frame> waiting;
         std::uint64_t dropped = 0;
+        std::vector<Frame> behind;  // answers
     };
+    /** Makes answers of what waited for samples that have gone. */
+    void release(Channel& channel);
     void makeRoom(std::size_t size, std::uint64_t channel);
     void drop(std::uint64_t channel);
 
-    const std::size_t limit_;
+    std::size_t limit_;
     std::deque<Frame> answers_;
     std::map<std::uint64_t, Channel> channels_;
     std::map<Turn, std::uint64_t> order_;  // the channel of each sample, the oldest first

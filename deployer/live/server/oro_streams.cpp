@@ -2,36 +2,25 @@
 // Copyright Oroforge contributors
 #include "oro_streams.hpp"
 
+#include "../requests/log_levels.hpp"
 #include "live_client.hpp"
 #include "oro_messages.hpp"
 
 #include <cmath>
 #include <utility>
 
-#include <strings.h>
-
 namespace OCL::live {
 namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t kMostStreams = 256;
+constexpr std::size_t kMostWatches = 1024, kMostLogs = 256;
+/** What may wait for a recorder: half a second of 32 MB/s. */
+constexpr std::size_t kQueueOfRecorder = std::size_t(16) << 20;
 constexpr unsigned kUsualBuffer = 128, kLargestBuffer = 10000;
 /** Of one port at a time, so that a fast one does not keep the others waiting. */
 constexpr unsigned kMostAtOnce = 2000;
 constexpr double kSecond = 1e9;
-const char* const kLevels[] = {"Never", "Fatal", "Critical", "Error", "Warning", "Info", "Debug", "RealTime"};
-
-bool parseLevel(const json& from, RTT::LoggerLevel& level) {
-    if (!from.is_string()) return false;
-    for (int i = RTT::Never; i <= RTT::RealTime; ++i)
-        if (::strcasecmp(kLevels[i], from.get_ref<const std::string&>().c_str()) == 0) {
-            level = static_cast<RTT::LoggerLevel>(i);
-            return true;
-        }
-    return false;
-}
-
 /** The number of that name; `otherwise` if there is none. False if it is not between the limits. */
 bool parseNumber(const json& message, const char* name, double least, double most, double& number) {
     const auto found = message.find(name);
@@ -73,25 +62,37 @@ void OroStreams::watch(const json& message, const json& id) {
     const auto port = message.find("port");
     const auto form = message.find("format");
     if (port == message.end() || !port->is_string()) return fail(kMalformed, "the text 'port' is missing");
-    if (form != message.end() && *form != "json") return fail(kMalformed, "the only format is \"json\"");
+    const bool isBinary = form != message.end() && *form == "cdr";
+    if (form != message.end() && !isBinary && *form != "json")
+        return fail(kMalformed, "'format' is neither \"json\" nor \"cdr\"");
     if (!parseNumber(message, "rate", 0.001, 1000, rate))
         return fail(kMalformed, "'rate' is not a number of samples per second from 0.001 to 1000");
+    if (isBinary && rate > 0) return fail(kMalformed, "a watch with 'rate' has the format \"json\"");
     if (!parseNumber(message, "buffer", 1, kLargestBuffer, buffer))
         return fail(kMalformed, "'buffer' is not a number of samples from 1 to 10000");
-    if (watches_.size() >= kMostStreams) return fail(kTooMany, "this client watches 256 ports already");
+    if (watches_.size() >= kMostWatches) return fail(kTooMany, "this client watches 1024 ports already");
     if (watches_.count(textOf(id)) != 0) return fail(kMalformed, "a watch has this id already");
     made.id = id;
     made.path = port->get<std::string>();
     made.period = rate > 0 ? std::llround(kSecond / rate) : 0;
     const unsigned waiting =
         made.period != 0 && message.find("buffer") == message.end() ? 0 : static_cast<unsigned>(buffer);
+    made.channel = ++lastChannel_;
+    json answer;
     try {
-        made.port = client_.host().watch(made.path, {SampleForm::Json, waiting, client_.number()});
+        const SampleForm samples = isBinary ? SampleForm::Cdr : SampleForm::Json;
+        made.port = client_.host().watch(made.path, {samples, waiting, client_.number()});
+        answer = {{"type", made.port->type()}, {"fields", fieldsOf(made.port->value())}};
+        if (isBinary) {
+            made.batches = std::make_unique<SampleBatches>(made.channel);
+            answer["stream"] = made.batches->stream();
+            answer.update(schemaOf(*made.port));
+            client_.queue().setLimit(kQueueOfRecorder);
+        }
     } catch (const Failure& failure) {
         return fail(failure.code(), failure.what());
     }
-    made.channel = ++lastChannel_;
-    client_.sendText(oroAnswer(id, {{"type", made.port->type()}, {"fields", fieldsOf(made.port->value())}}));
+    client_.sendText(oroAnswer(id, std::move(answer)));
     watches_.emplace(textOf(id), std::move(made));
     client_.host().wantsChanged();
 }
@@ -99,15 +100,12 @@ void OroStreams::watch(const json& message, const json& id) {
 void OroStreams::log(const json& message, const json& id) {
     Log made;
     const auto level = message.find("level");
-    if (level != message.end() && !level->is_null() && !parseLevel(*level, made.level))
-        return client_.sendText(oroError(id, kMalformed,
-                                         "'level' is none of Fatal, Critical, Error, Warning, Info "
-                                         "and Debug"));
+    if (level != message.end() && !level->is_null() &&
+        !(level->is_string() && parseLevel(level->get<std::string>(), made.level)))
+        return client_.sendText(oroError(id, kMalformed, kLevelExpected));
     if (!message.value("follow", json(true)).is_boolean() || !message.value("follow", true))
-        return client_.sendText(oroError(id, kMalformed,
-                                         "lines of the past are in the file of the log only; "
-                                         "'follow' must be true"));
-    if (logs_.size() >= kMostStreams) return client_.sendText(oroError(id, kTooMany, "256 streams of the log"));
+        return client_.sendText(oroError(id, kMalformed, "'oro.lines' gives lines of the past; 'follow' must be true"));
+    if (logs_.size() >= kMostLogs) return client_.sendText(oroError(id, kTooMany, "256 streams of the log"));
     made.id = id;
     made.channel = ++lastChannel_;
     made.before = lostLines_;
@@ -123,16 +121,33 @@ void OroStreams::end(const json& message, const json& id, const char* field) {
     const auto watch = watches_.find(key);
     const auto log = logs_.find(key);
     if (field == std::string("watch") && watch != watches_.end()) {
-        client_.queue().forget(watch->second.channel);
+        endWatch(watch->second, message, id);
         watches_.erase(watch);
+        return client_.host().wantsChanged();
     } else if (field == std::string("log") && log != logs_.end()) {
-        client_.queue().forget(log->second.channel);
+        const std::uint64_t channel = log->second.channel;
         logs_.erase(log);
+        if (message.value("rest", json(false)) == true) {
+            client_.queue().addBehind(channel, {oroAnswer(id, json::object()), false});
+            return client_.host().wantsChanged();
+        }
+        client_.queue().forget(channel);
     } else {
         return client_.sendText(oroError(id, kNoSuchStream, std::string("no ") + field + " has the id " + key));
     }
     client_.sendText(oroAnswer(id, json::object()));
     client_.host().wantsChanged();
+}
+
+void OroStreams::endWatch(Watch& watch, const json& message, const json& id) {
+    const json rest = message.value("rest", json(false));
+    json answer = json::object();
+    if (watch.batches && rest == true) (void)readAll(watch, 0);
+    if (watch.batches) answer["next"] = watch.batches->next();
+    const Frame frame{oroAnswer(id, std::move(answer)), false};
+    if (watch.batches && rest == true) return client_.queue().addBehind(watch.channel, frame);
+    client_.queue().forget(watch.channel);
+    client_.sendText(frame.bytes);
 }
 
 void OroStreams::onTick(std::int64_t now) {
@@ -141,10 +156,11 @@ void OroStreams::onTick(std::int64_t now) {
         if (readAll(at->second, now)) {
             ++at;
         } else {
-            client_.sendText(oroError(at->second.id, kGone,
-                                      "port '" + at->second.path +
-                                          "' was destroyed or disconnected; the watch has "
-                                          "ended"));
+            client_.queue().addBehind(at->second.channel, {oroError(at->second.id, kGone,
+                                                                    "port '" + at->second.path +
+                                                                        "' was destroyed or disconnected; the watch "
+                                                                        "has ended"),
+                                                           false});
             at = watches_.erase(at);
             someEnded = true;
         }
@@ -154,6 +170,10 @@ void OroStreams::onTick(std::int64_t now) {
 
 bool OroStreams::readAll(Watch& watch, std::int64_t now) {
     const bool isConnected = watch.port->isConnected();
+    if (watch.batches) {
+        watch.batches->readAll(*watch.port, client_.queue(), kMostAtOnce);
+        return isConnected;
+    }
     if (now < watch.next) return isConnected;
     std::string value;
     // With a rate, the newest of those that wait.
@@ -181,7 +201,7 @@ void OroStreams::onLines(const std::vector<LogLine>& lines, std::uint64_t droppe
             client_.queue().addSample(log.channel, {textOf({{"op", "oro.line"},
                                                             {"id", log.id},
                                                             {"time", line.time},
-                                                            {"level", kLevels[line.level]},
+                                                            {"level", kLogLevels[line.level]},
                                                             {"origin", line.origin},
                                                             {"text", line.text},
                                                             {"dropped", lost}}),

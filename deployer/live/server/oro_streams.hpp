@@ -5,6 +5,7 @@
 
 #include "../samples/log_lines.hpp"
 #include "../samples/port_watch.hpp"
+#include "sample_batch.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -41,8 +42,9 @@ private:
         std::string path;
         std::unique_ptr<PortWatch> port;
         std::uint64_t channel = 0;
-        std::int64_t period = 0;  // ns; 0: every sample
-        std::int64_t next = 0;    // when it may be read again
+        std::int64_t period = 0;                 // ns; 0: every sample
+        std::int64_t next = 0;                   // when it may be read again
+        std::unique_ptr<SampleBatches> batches;  // null: samples are JSON
     };
     struct Log {
         nlohmann::json id;
@@ -53,6 +55,7 @@ private:
     void watch(const nlohmann::json& message, const nlohmann::json& id);
     void log(const nlohmann::json& message, const nlohmann::json& id);
     void end(const nlohmann::json& message, const nlohmann::json& id, const char* field);
+    void endWatch(Watch& watch, const nlohmann::json& message, const nlohmann::json& id);
     bool readAll(Watch& watch, std::int64_t now);
 
     LiveClient& client_;

@@ -50,8 +50,8 @@ Server::Server(const ServerStart& start)
       root_{start.deployer->engine()->gate(), start.deployer->getName()},
       transport_(*this),
       mailbox_(std::make_shared<Mailbox>(transport_)),
-      requests_(
-          std::make_unique<Requests>(*start.deployer, Deployment{start.name, start.files, start.version}, start.stop)) {
+      requests_(std::make_unique<Requests>(
+          *start.deployer, Deployment{start.name, start.files, start.version, start.started}, start.stop)) {
     if (start.local >= 0) transport_.listen(start.local, /*isLocal=*/true);
     if (start.web >= 0) transport_.listen(start.web, /*isLocal=*/false);
     if (start.client >= 0) transport_.add(start.client, /*isLocal=*/true);
@@ -108,11 +108,16 @@ void Server::ask(std::uint64_t client, const json& request, const Caller& caller
 }
 
 void Server::forward(std::uint64_t client, const json& request, const Caller& caller) {
-    requests_->handle(request, caller, [this, client, mailbox = mailbox_](const json& answer) {
+    const bool isLine = request.value("op", json()) == "oro.line";
+    requests_->handle(request, caller, [this, client, isLine, mailbox = mailbox_](const json& answer) {
+        const bool isOutput = answer.value("op", "") == "oro.output";
         // Written here: large values would keep the server's thread from other clients.
-        mailbox->put([this, client, text = textOf(answer)]() mutable {
-            if (LiveClient* const asker = find(client)) asker->forwarded(std::move(text));
-        });
+        mailbox->put(
+            [this, client, isLine, isOutput, id = answer.value("id", json()), text = textOf(answer)]() mutable {
+                LiveClient* const asker = find(client);
+                if (asker && isOutput) asker->output(std::move(text));
+                if (asker && !isOutput) asker->forwarded(id, std::move(text), isLine);
+            });
     });
 }
 

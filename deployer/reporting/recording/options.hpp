@@ -19,10 +19,6 @@ struct OptionTexts {
 
 /** False, with what is wrong, if a text or number is not valid. */
 bool readOptions(const OptionTexts& texts, RecordingOptions& options, std::string& why);
-/** "", "500 MB", "2GB", "90 s", "10 min". */
-bool readSplit(const std::string& text, Split& split);
-bool readSize(const std::string& text, std::uint64_t& bytes);
-
 }  // namespace OCL::recording
 
 #endif

@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include "recorded_source.hpp"
 
+#include <reporting/mcap_file/about.hpp>
 #include <rtt/Logger.hpp>
 #include <rtt/internal/flow/connection_facts.hpp>
 #include <rtt/internal/flow/sample_store.hpp>
@@ -22,12 +23,6 @@ using RTT::encoding::Plan;
 
 /** In front of each value: plain CDR in the order of this machine. */
 constexpr unsigned char kCdrHead[4] = {0, RTT::encoding::kNativeOrder == ByteOrder::Little ? 1 : 0, 0, 0};
-
-std::string topicOf(const reporting::Source& source) {
-    std::string topic = "/" + source.component() + "/" + source.path();
-    std::replace(topic.begin(), topic.end(), '.', '/');
-    return topic;
-}
 
 std::string hexOf(std::uint64_t number) {
     char text[17];
@@ -62,7 +57,7 @@ mcap::Channel RecordedSource::channel(std::uint16_t id) {
     id_ = id;
     mcap::Channel channel;
     channel.id = id;
-    channel.topic = topicOf(*source_);
+    channel.topic = topicOf(source_->name());
     channel.encoding = "cdr";
     channel.metadata["oroforge.source"] = source_->name();
     channel.metadata["oroforge.kind"] = source_->port() ? "port" : "value";

@@ -11,6 +11,7 @@
 #include <chrono>
 #include <utility>
 
+
 namespace OCL::recording {
 namespace {
 

@@ -4,8 +4,8 @@
 #define OROFORGE_RECORDING_RECORDING_HPP
 
 #include "chunk_pipe.hpp"
+#include "chunk_takers.hpp"
 #include "log_channel.hpp"
-#include "record_file.hpp"
 #include "recorded_source.hpp"
 #include "state_channel.hpp"
 

@@ -24,6 +24,8 @@ public:
         `notes` what readers of the log must know. */
     bool open(const LogFileRules& rules, LogNotes& notes);
     bool isOpen() const noexcept { return descriptor_ >= 0; }
+    /** Of a regular file that is open; otherwise empty. */
+    std::string path() const { return isOpen() ? path_ : std::string(); }
     /** Writes a line, to a new file if the present one would get too large. */
     void write(const char* text, std::size_t size);
     /** Writes a part of a line. May be called by a signal handler. */

@@ -44,6 +44,13 @@ public:
     void enqueue(LoggerLevel level, std::string_view module, std::string_view text, std::size_t cut = 0) noexcept;
     /** Does nothing in a real-time thread: queued lines are flushed when they are written. */
     void flush();
+    /** See internal::flushedLogFile(). */
+    std::string flushedFile() {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        drainLocked();
+        file_.flush();
+        return file_.path();
+    }
     /** Writes the lines in the queue. */
     void drain();
     /** Starts the LogDrain, which runs from __os_init(), or the first real-time os::Thread, to shutdown(). */

@@ -121,7 +121,8 @@ TEST_F(RequestsTest, ACallThatTakesTooLongIsAnsweredWithAnErrorAndHoldsUpNobody)
     deployer->addPeer(&other);
     EXPECT_THAT(failure("call", {{"path", "Other.blockHere"}, {"timeout", 0.1}}),
                 StartsWith("LIV004: 'oro.call' was not done within 0.1 s"));
-    EXPECT_EQ(2.5, result("get", {{"path", "Other.gain"}})["value"]);
+    // A computer under load may take longer than the usual second.
+    EXPECT_EQ(2.5, result("get", {{"path", "Other.gain"}, {"timeout", 9}})["value"]);
     other.release();
 }
 

@@ -7,6 +7,7 @@ import select
 import shutil
 import signal
 import subprocess
+import time
 
 from oro_case import ORO, OroCase, main, terminal
 
@@ -129,11 +130,61 @@ class Deployed(OroCase):
         process.send_signal(signal.SIGINT)
         self.assertEqual(0, process.wait(10))
 
+    def test_the_log_begins_with_its_file(self):
+        self.assertIn("writes no log file", self.oro("log", status=1)[1])
+        self.environment["ORO_LOGFILE"] = "app.log"
+        self.oro("stop")
+        self.deployer.wait(15)
+        self.deploy(SCRIPT)
+        for number in range(5):
+            self.oro("set", "tank.capacity", str(number))
+        self.oro("call", "tank.fill", "-1")
+        out, _ = self.oro("log", "-n", "3")
+        self.assertEqual(3, out.count("\n"))
+        self.assertRegex(out, r"^\d\d:\d\d:\d\d\.\d{3}  Info      ")
+        lines = [json.loads(line) for line in self.oro("log", "-n", "10000", "--format=json")[0].splitlines()]
+        self.assertGreater(len(lines), 20)
+        self.assertTrue(any("tank.capacity" in one["text"] for one in lines))
+        self.assertLess(abs(lines[-1]["time"] / 1e9 - time.time()), 60)
+        few = [json.loads(line) for line in self.oro("log", "-n", "10000", "--level", "Warning", "--format=json")[0].splitlines()]
+        self.assertEqual([one for one in lines if one["level"] not in ("Info", "Debug")], few)
+        self.oro("log", "--level", "loud", status=1)
+        self.oro("log", "-n", "many", status=2)
+        process = self.start_oro("log", "-f", "-n", "2", "--format=json")
+        old = [json.loads(process.stdout.readline()) for _ in range(2)]
+        self.oro("set", "tank.capacity", "7")
+        new = json.loads(process.stdout.readline())
+        while "= 7" not in new["text"] and "7" not in new["text"]:
+            self.assertNotIn(new["text"], [one["text"] for one in old])
+            new = json.loads(process.stdout.readline())
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(0, process.wait(10))
+
     def test_lines_of_the_console(self):
         out, err = self.oro("console", text="tank.capacity\ncd tank\nlabel\ncapasity\n1 + 1\n", status=1)
         self.assertEqual(' = 1.5\n = "water"\n = 2\n', out)
         self.assertIn("did you mean 'capacity'?", err)
         self.assertEqual((" = 2\n", ""), self.oro("console", text="1 + 1\nquit\n3\n"))
+
+    def test_output_of_a_line_comes_as_it_is_written(self):
+        program = subprocess.Popen([ORO, "console"], cwd=self.directory, env=self.own(), text=True, stdin=subprocess.PIPE,
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        self.addCleanup(self.end, program)
+        program.stdin.write(".watch tank.level 3\n1 + 1\n")
+        program.stdin.close()
+        program.stdin = None  # communicate() would flush it
+        self.oro("call", "tank.fill", "0.25")
+        seen = ""
+        while "0.25" not in seen:  # the command waits for a third sample
+            seen = program.stdout.readline()
+            self.assertTrue(seen)
+        self.assertIsNone(program.poll())
+        self.oro("call", "tank.fill", "0.5")
+        self.oro("call", "tank.fill", "0.75")
+        rest = program.stdout.read()
+        self.assertIn(" = 2\n", rest)
+        self.assertLess(rest.index("0.5"), rest.index(" = 2"))
+        self.assertEqual(0, program.wait(10))
 
     def test_the_console_on_a_terminal(self):
         program = self.open_oro("console", NO_COLOR="1")

@@ -2,7 +2,8 @@
 # Copyright Oroforge contributors
 # The programs: rttlua as an interpreter of Lua, on a terminal, and with components.
 set(base ${PROJECT_BINARY_DIR}/lib/orocos)
-set(needed rttlua rttlua-tlsf rtt-typekit rtt-marshalling rtt-scripting orocos-ocl-helloworld orocos-ocl-timer)
+set(needed rttlua rttlua-tlsf rtt-typekit rtt-marshalling rtt-scripting orocos-ocl-helloworld orocos-ocl-timer oro
+    orocos-ocl-live)
 
 # Each program of Lua below language/ has to do the same there and in Debian's interpreter.
 find_program(LUA_INTERPRETER lua5.1)

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright Oroforge contributors
 """rttlua with components: test.py RTTLUA COMPONENTS"""
+import pathlib
 import signal
 
-from lua_case import LuaCase, main
+from lua_case import RTTLUA, LuaCase, main
 
 # As in the manual, with components of the library.
 DEPLOYMENT = """
@@ -68,6 +69,23 @@ class Components(LuaCase):
                 started.send_signal(number)
                 out, _ = started.communicate(timeout=20)
                 self.assertEqual((1, "producer stops\nconsumer cleans up\n"), (started.returncode, out))
+
+    def test_are_looked_at_from_outside(self):
+        oro = str(pathlib.Path(RTTLUA).parent / "oro")
+        ours = {"XDG_RUNTIME_DIR": str(self.directory)}
+        program = self.start("-e", "print('on') io.stdout:flush() while true do end", **ours)
+        self.assertEqual("on\n", program.stdout.readline())
+        self.assertIn("rttlua", self.run_lua("list", program=oro, **ours)[1])
+        self.assertIn("\nlua  ", self.run_lua("tree", program=oro, **ours)[1])
+        self.assertEqual(0, self.run_lua("stop", program=oro, **ours)[0])
+        program.wait(20)
+        program = self.start("--no-live", "-e", "print('on') io.stdout:flush() while true do end", **ours)
+        program.stdout.readline()
+        self.assertEqual(3, self.run_lua("tree", program=oro, **ours)[0])
+        self.assertIn("unknown permission 'all'", self.run_lua("--web", "--web-allow=all", **ours)[2])
+        status, out, _ = self.run_lua("--web=127.0.0.1:0", "-e", "print(1)", **ours)
+        self.assertEqual(0, status)
+        self.assertRegex(out, r"^live window: ws://127\.0\.0\.1:\d+/\?token=\w+\n1\n$")
 
     def test_wait_for_a_signal_in_the_script(self):
         self.write("deploy.lua", DEPLOYMENT + "io.flush()\nd:waitForInterrupt()\nprint('goes on')")

@@ -3,12 +3,9 @@
 #ifndef OROFORGE_RECORDING_CDR_TEXT_HPP
 #define OROFORGE_RECORDING_CDR_TEXT_HPP
 
-#include "chunk_pipe.hpp"
-
 #include <reporting/mcap/format.hpp>
 
 #include <cstdint>
-#include <cstring>
 #include <string_view>
 
 namespace OCL::recording {
@@ -35,16 +32,7 @@ public:
         return *this;
     }
 
-    /** False if there is no room. */
-    bool addTo(ChunkPipe& pipe, oroforge::mcap::Message message) const {
-        message.size = bytes_.size();
-        ChunkPipe::Filling filling(pipe);
-        unsigned char* const place = filling.placeFor(bytes_.size());
-        if (!place) return false;
-        std::memcpy(place, bytes_.data(), bytes_.size());
-        filling.add(message);
-        return true;
-    }
+    const oroforge::mcap::Bytes& bytes() const { return bytes_; }
 
 private:
     oroforge::mcap::Bytes bytes_;

@@ -3,14 +3,14 @@
 #ifndef OROFORGE_RECORDING_RECORD_FILE_HPP
 #define OROFORGE_RECORDING_RECORD_FILE_HPP
 
-#include "chunk_pipe.hpp"
+#include "split.hpp"
 
+#include <reporting/mcap/chunk.hpp>
 #include <reporting/mcap/compression.hpp>
 #include <reporting/mcap/writer.hpp>
 
 #include <atomic>
 #include <cstdint>
-#include <deque>
 #include <functional>
 #include <memory>
 #include <string>
@@ -32,7 +32,7 @@ struct FileContent {
 /** "run.mcap", "run_1.mcap", "run_2.mcap" … */
 std::string numberedName(const std::string& file, unsigned number);
 
-/** One file from its beginning to its end. Logs the first failure, after which nothing more is written. */
+/** One file from its beginning to its end. After the first failure nothing more is written. */
 class RecordFile {
 public:
     /** Begins the file anew. It has failed if it cannot be opened, or another recorder writes to it. */
@@ -40,6 +40,9 @@ public:
     /** Leaves the file without its end. */
     ~RecordFile();
 
+    /** Adds what the content has since the file was begun. */
+    bool add(const oroforge::mcap::Schema& schema) { return !failed() && note(writer_.add(schema)); }
+    bool add(const oroforge::mcap::Channel& channel) { return !failed() && note(writer_.add(channel)); }
     bool write(const oroforge::mcap::PackedChunk& chunk);
     bool finish();
     bool failed() const { return !error_.empty(); }
@@ -58,58 +61,46 @@ private:
     oroforge::mcap::Writer writer_;
 };
 
-/** When a file ends and the next one begins; 0: never. */
-struct Split {
-    std::uint64_t bytes = 0, nanoseconds = 0;
-};
-
-/** Writes each chunk at once. */
-class FileTaker : public ChunkTaker {
+/**
+ * Writes each chunk at once, to one file after another: after a Split the next one has the schemas and channels that
+ * the content has then. Used by one thread at a time, but for failed().
+ */
+class FileSequence {
 public:
-    FileTaker(const FileContent& content, const Split& split);
-    /** Why the first file could not be begun; empty if all is well. */
-    const std::string& error() const { return file_->error(); }
+    /** With `keepsOthers`, files that exist keep their names, and the numbers of later files leave them out. */
+    FileSequence(const FileContent& content, const Split& split, bool keepsOthers = false);
 
-    bool take(const oroforge::mcap::Chunk& chunk) override;
-    /** Ends the file. Called when the thread of the pipe has ended. */
-    void finish();
+    bool add(const oroforge::mcap::Schema& schema) { return noted(file_->add(schema)); }
+    bool add(const oroforge::mcap::Channel& channel) { return noted(file_->add(channel)); }
+    /** False, with an error, if the messages are lost. */
+    bool write(const oroforge::mcap::Chunk& chunk);
+    /** Ends the file. */
+    bool finish() { return noted(file_->finish()); }
+    /** Nothing more can be written. Any thread. */
     bool failed() const { return failed_.load(std::memory_order_relaxed); }
+    /** What went wrong last; empty if all is well. */
+    const std::string& error() const { return error_; }
+    /** The bytes of all files. */
+    std::uint64_t size() const { return before_ + file_->size(); }
+    unsigned files() const { return files_; }
 
 private:
     bool isFull(const oroforge::mcap::PackedChunk& next) const;
+    bool noted(bool good);
+    void beginNext();
 
     const FileContent& content_;
     const Split split_;
+    const bool keepsOthers_;
     std::unique_ptr<oroforge::mcap::Compressor> compressor_;
     oroforge::mcap::PackedChunk packed_;
     std::unique_ptr<RecordFile> file_;
-    unsigned number_ = 0;       // of the file
+    std::string error_;
+    unsigned number_ = 0, files_ = 1;
+    std::uint64_t before_ = 0;  // bytes of the files before this one
     std::uint64_t begin_ = 0;   // the time of its first message
     bool hasMessages_ = false;  // in the file
     std::atomic<bool> failed_{false};
-};
-
-/** Keeps the last seconds in memory, compressed, and writes them to a file when save() is called: a flight recorder. */
-class LastChunks : public ChunkTaker {
-public:
-    /** @param bytes what the chunks may take together; the oldest are forgotten for that. */
-    LastChunks(const FileContent& content, double seconds, std::uint64_t bytes);
-
-    bool take(const oroforge::mcap::Chunk& chunk) override;
-    bool save() override;
-
-private:
-    const FileContent& content_;
-    typedef std::unique_ptr<oroforge::mcap::PackedChunk> Packed;
-    Packed takeOldest();
-    static std::uint64_t memoryOf(const oroforge::mcap::PackedChunk& chunk);
-
-    const std::uint64_t span_, most_;
-    std::unique_ptr<oroforge::mcap::Compressor> compressor_;
-    std::deque<Packed> chunks_;
-    std::uint64_t size_ = 0;  // of the memory of all of them
-    bool isShort_ = false;    // the log says that there is no room for all seconds
-    unsigned number_ = 0;
 };
 
 }  // namespace OCL::recording

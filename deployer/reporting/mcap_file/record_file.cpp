@@ -3,7 +3,7 @@
 #include "record_file.hpp"
 
 #include <reporting/report_file.hpp>
-#include <rtt/Logger.hpp>
+#include <rtt/os/descriptor.hpp>
 
 #include <algorithm>
 #include <cerrno>
@@ -96,95 +96,47 @@ bool RecordFile::write(const mcap::PackedChunk& chunk) { return !failed() && not
 
 bool RecordFile::finish() { return !failed() && note(writer_.add(content_.atEnd()) && writer_.finish()); }
 
-FileTaker::FileTaker(const FileContent& content, const Split& split)
-    : content_(content), split_(split), file_(new RecordFile(content, content.file)) {
+FileSequence::FileSequence(const FileContent& content, const Split& split, bool keepsOthers)
+    : content_(content), split_(split), keepsOthers_(keepsOthers), file_(new RecordFile(content, content.file)) {
     if (content.compression != mcap::Compression::None) compressor_.reset(new mcap::Compressor(content.compression));
-    failed_ = file_->failed();
+    (void)noted(!file_->failed());
 }
 
-bool FileTaker::isFull(const mcap::PackedChunk& next) const {
+bool FileSequence::noted(bool good) {
+    if (good) return true;
+    error_ = file_->error();
+    failed_ = true;
+    return false;
+}
+
+bool FileSequence::isFull(const mcap::PackedChunk& next) const {
     if (!hasMessages_) return false;
     const bool isLarge = split_.bytes != 0 && file_->size() + next.length() > split_.bytes;
     return isLarge || (split_.nanoseconds != 0 && next.head.start >= begin_ + split_.nanoseconds);
 }
 
-bool FileTaker::take(const mcap::Chunk& chunk) {
-    if (failed_) return false;
+void FileSequence::beginNext() {
+    struct stat status {};
+    std::string name;
+    do name = numberedName(content_.file, ++number_);
+    while (keepsOthers_ && ::lstat(name.c_str(), &status) == 0);
+    before_ += file_->size();
+    file_.reset(new RecordFile(content_, name));
+    ++files_;
+    hasMessages_ = false;
+}
+
+bool FileSequence::write(const mcap::Chunk& chunk) {
+    if (failed()) return false;
     std::string why;
     if (!packed_.pack(chunk, compressor_.get(), why)) {
-        RTT::log(RTT::Error) << "a chunk of the recording '" << content_.file << "' is lost: " << why << RTT::endlog();
+        error_ = "a chunk of the recording '" + content_.file + "' is lost: " + why;
         return false;
     }
-    if (isFull(packed_)) {
-        if (file_->finish()) file_.reset(new RecordFile(content_, numberedName(content_.file, ++number_)));
-        hasMessages_ = false;
-    }
+    if (isFull(packed_) && file_->finish()) beginNext();
     if (!hasMessages_) begin_ = packed_.head.start;
     hasMessages_ = true;
-    if (file_->write(packed_)) return true;
-    RTT::log(RTT::Error) << file_->error() << RTT::endlog();
-    failed_ = true;
-    return false;
-}
-
-void FileTaker::finish() {
-    if (!failed_ && !file_->finish()) {
-        RTT::log(RTT::Error) << file_->error() << RTT::endlog();
-        failed_ = true;
-    }
-}
-
-LastChunks::LastChunks(const FileContent& content, double seconds, std::uint64_t bytes)
-    : content_(content), span_(static_cast<std::uint64_t>(seconds * 1e9)), most_(bytes) {
-    if (content.compression != mcap::Compression::None) compressor_.reset(new mcap::Compressor(content.compression));
-}
-
-LastChunks::Packed LastChunks::takeOldest() {
-    Packed oldest = std::move(chunks_.front());
-    chunks_.pop_front();
-    size_ -= memoryOf(*oldest);
-    return oldest;
-}
-
-std::uint64_t LastChunks::memoryOf(const mcap::PackedChunk& chunk) {
-    return chunk.before.capacity() + chunk.packed.capacity() + chunk.after.capacity() + sizeof chunk;
-}
-
-bool LastChunks::take(const mcap::Chunk& chunk) {
-    // The memory of a chunk that is too old is used again.
-    Packed packed;
-    const std::uint64_t begin = chunk.end() > span_ ? chunk.end() - span_ : 0;
-    while (!chunks_.empty() && chunks_.front()->head.end < begin) packed = takeOldest();
-    if (!packed) packed.reset(new mcap::PackedChunk);
-    std::string why;
-    if (!packed->pack(chunk, compressor_.get(), why)) {
-        RTT::log(RTT::Error) << "a chunk of the recording '" << content_.file << "' is lost: " << why << RTT::endlog();
-        return false;
-    }
-    packed->own();
-    size_ += memoryOf(*packed);
-    chunks_.push_back(std::move(packed));
-    while (size_ > most_ && chunks_.size() > 1) {
-        (void)takeOldest();
-        if (std::exchange(isShort_, true)) continue;
-        RTT::log(RTT::Warning) << "the ring of the recording '" << content_.file << "' has less than "
-                               << static_cast<double>(span_) / 1e9 << " seconds: they need more than the " << most_
-                               << " bytes of the property RingSize" << RTT::endlog();
-    }
-    return true;
-}
-
-bool LastChunks::save() {
-    const std::string name = numberedName(content_.file, number_++);
-    RecordFile file(content_, name);
-    bool good = !file.failed();
-    for (const auto& chunk : chunks_) good = good && file.write(*chunk);
-    if (good && file.finish()) {
-        RTT::log(RTT::Info) << "the last " << chunks_.size() << " chunks are in '" << name << "'" << RTT::endlog();
-        return true;
-    }
-    RTT::log(RTT::Error) << file.error() << RTT::endlog();
-    return false;
+    return noted(file_->write(packed_));
 }
 
 }  // namespace OCL::recording
