@@ -34,8 +34,8 @@ struct Pieces {
 /** The chunks that an index names, each once. */
 std::vector<Piece> namedPieces(const Summary& summary);
 
-/** What the index names, and what it does not: it need not name all chunks, or any. Goes from record to record, and from
-    each chunk that the index names to what is behind it. What is damaged is given to `damaged`. */
+/** What the index names, and what it does not: it need not name all chunks, or any. Goes from record to record, and
+    from each chunk that the index names to what is behind it. What is damaged is given to `damaged`. */
 Pieces findPieces(Source& source, const Summary& summary, const std::function<void(const Problem&)>& damaged);
 
 }  // namespace oroforge::mcap

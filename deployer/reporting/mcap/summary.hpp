@@ -40,8 +40,8 @@ struct Selection {
 
 /**
  * Visits messages in the order of their times, those of one time in the order of the file. Reads only the chunks that
- * contain such channels and times, and keeps in memory those that overlap. What the summary does not name is looked for.
- * Damaged chunks are given to `damaged` and left out.
+ * contain such channels and times, and keeps in memory those that overlap. What the summary does not name is looked
+ * for. Damaged chunks are given to `damaged` and left out.
  */
 void readMessages(Source& source, const Summary& summary, const Selection& selection,
                   const std::function<void(const Message&)>& visit, const std::function<void(const Problem&)>& damaged,

@@ -11,7 +11,6 @@
 #include <chrono>
 #include <utility>
 
-
 namespace OCL::recording {
 namespace {
 
