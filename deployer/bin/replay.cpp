@@ -3,6 +3,7 @@
 #include "replay.hpp"
 
 #include "../deployment/replaced.hpp"
+#include "../deployment/report.hpp"
 #include "../schedule/schedule.hpp"
 #include "../schedule/stand_ins.hpp"
 #include "program_report.hpp"
@@ -135,6 +136,8 @@ struct Replay::Impl {
     /** A text that has a place and a code of its own. */
     void error(const std::string& text) const { std::cerr << text << std::endl; }
     void summarize(const schedule::Schedule::Outcome& outcome, double passed) const;
+    /** For --replay-check: what the schedule has seen of other threads. True if there is nothing. */
+    bool reportThreads() const;
 };
 
 Replay::Replay(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -178,7 +181,20 @@ bool Replay::run(DeploymentComponent& deployer, RTT::os::SignalCatcher& ending) 
     if (!outcome.error.empty()) impl_->error(outcome.error);
     for (const std::string& problem : impl_->player->problems()) impl_->error(problem);
     impl_->summarize(outcome, passed.count());
-    return outcome.error.empty() && recorded;
+    const bool exact = !impl_->options.replayCheck || impl_->reportThreads();
+    return outcome.error.empty() && recorded && exact;
+}
+
+bool Replay::Impl::reportThreads() const {
+    diag::Sink sink;
+    for (const std::string& component : schedule->ownThreads())
+        sink.error({}, "RPL003", "component '" + component + "' keeps a thread of its own");
+    for (const auto& [component, count] : schedule->triggeredByOthers())
+        sink.error({}, "RPL011",
+                   "component '" + component + "' was triggered by other threads, " + std::to_string(count) +
+                       (count == 1 ? " time" : " times") + ": at which time of the recording is not the same again");
+    deploy::report(sink);
+    return !sink.hadErrors();
 }
 
 void Replay::Impl::summarize(const schedule::Schedule::Outcome& outcome, double passed) const {

@@ -41,11 +41,14 @@ std::optional<Kind> kindOf(const ActivityInterface& given) {
 
 }  // namespace
 
+bool hasOwnThread(const ActivityInterface& given) {
+    return !dynamic_cast<const RTT::extras::SequentialActivity*>(&given) &&
+           !dynamic_cast<const RTT::extras::SlaveActivity*>(&given) && !dynamic_cast<const ScheduledActivity*>(&given);
+}
+
 std::optional<Timing> timingOf(ActivityInterface* given, const std::string& component) {
     if (!given || is<RTT::internal::DeferredActivity>(*given)) return Timing();
-    const bool isBorrowed = dynamic_cast<RTT::extras::SequentialActivity*>(given) ||
-                            dynamic_cast<RTT::extras::SlaveActivity*>(given) || dynamic_cast<ScheduledActivity*>(given);
-    if (isBorrowed) return std::nullopt;
+    if (!hasOwnThread(*given)) return std::nullopt;
     const std::optional<Kind> kind = kindOf(*given);
     if (!kind) {
         RTT::log(RTT::Warning)

@@ -108,6 +108,7 @@ void Schedule::executeLast(RTT::TaskContext& component) {
         agenda_->executeLast(*activity);
 }
 
+std::set<std::string> Schedule::ownThreads() const { return agenda_->ownThreads(); }
 std::map<std::string, unsigned long> Schedule::triggeredByOthers() const { return agenda_->strangers(); }
 
 }  // namespace OCL::schedule

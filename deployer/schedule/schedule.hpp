@@ -9,6 +9,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 
 namespace RTT {
@@ -59,6 +60,8 @@ public:
     void executeLast(RTT::TaskContext& component);
     /** The components that other threads have triggered during run(), and how often. */
     std::map<std::string, unsigned long> triggeredByOthers() const;
+    /** The components that keep a thread of their own: the class of their activity is unknown to the runtime. */
+    std::set<std::string> ownThreads() const;
 
     /** So many executions at one time are without end. */
     static constexpr unsigned long kMostAtOnce = 100000;
