@@ -167,7 +167,9 @@ void Agenda::warnIfStuck() {
     if (idleSince_ == 0) idleSince_ = now;
     if (isTold_ || now - idleSince_ < kPatience) return;
     isTold_ = true;
-    RTT::log(RTT::Error) << "error: [RPL005] component '" << lastExecuted()
+    RTT::log(RTT::Error) << "error: ["
+                         << "RPL005"
+                         << "] component '" << lastExecuted()
                          << "', or a script, has been waiting for 5 s for something that another component does later; "
                             "simulated time stands meanwhile"
                          << RTT::endlog();

@@ -52,14 +52,18 @@ std::optional<Timing> timingOf(ActivityInterface* given, const std::string& comp
     const std::optional<Kind> kind = kindOf(*given);
     if (!kind) {
         RTT::log(RTT::Warning)
-            << "warning: [RPL003] component '" << component
+            << "warning: ["
+            << "RPL003"
+            << "] component '" << component
             << "' has an activity of a class of its own, which a replay cannot execute: it keeps its "
                "thread, and the replay is not exact"
             << RTT::endlog();
         return std::nullopt;
     }
     if (*kind == Kind::FileEvents)
-        RTT::log(RTT::Warning) << "warning: [RPL004] component '" << component
+        RTT::log(RTT::Warning) << "warning: ["
+                               << "RPL004"
+                               << "] component '" << component
                                << "' waits for file descriptors, none of which is ever ready in a replay"
                                << RTT::endlog();
     Timing timing;

@@ -47,7 +47,7 @@ public:
         bool isComplete = false;  ///< the source has ended, and everything that was triggered is done
         RTT::nsecs simulated = 0;
         unsigned long executions = 0;
-        std::string error;  ///< with a code
+        std::string error;  ///< RPL002: it did not come to an end at one time
     };
     /** How fast time passes: 2 is twice as fast as real time; 0, the default, as fast as possible. */
     void setSpeed(double speed) { speed_ = speed; }
