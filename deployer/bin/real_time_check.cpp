@@ -158,8 +158,7 @@ Fault describe(oroforge_rt_fault fault) {
         case OROFORGE_RT_ALLOCATION: return {"RTC001", "allocates memory"};
         case OROFORGE_RT_RELEASE: return {"RTC002", "frees memory"};
         case OROFORGE_RT_LOCK: return {"RTC003", "takes a lock"};
-        case OROFORGE_RT_WAIT:
-        case OROFORGE_RT_SLEEP: return {"RTC004", "waits"};
+        case OROFORGE_RT_WAIT: return {"RTC004", "waits"};
         case OROFORGE_RT_THREAD:
         case OROFORGE_RT_SYSTEM_CALL: return {"RTC005", "makes a system call that may block"};
         case OROFORGE_RT_CLOCK:
@@ -256,8 +255,7 @@ std::string startRealTimeCheck(char** words, CheckedFor what) {
                "' before the program, as it refuses for programs with capabilities or another user's rights; run "
                "without these, as root, or with a limit for real-time priorities instead";
     if (what == CheckedFor::Replay)
-        countOnly(1U << OROFORGE_RT_WAIT | 1U << OROFORGE_RT_SLEEP | 1U << OROFORGE_RT_CLOCK |
-                  1U << OROFORGE_RT_THREAD);
+        countOnly(1U << OROFORGE_RT_WAIT | 1U << OROFORGE_RT_CLOCK | 1U << OROFORGE_RT_THREAD);
     RTT::internal::ScriptPlace::wantExact();
     describeScripts(&RTT::internal::ScriptPlace::describe);
     HookInProgress::setWatch(&kWatch);

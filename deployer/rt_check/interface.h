@@ -21,9 +21,8 @@ enum oroforge_rt_fault {
     OROFORGE_RT_WAIT = 4,
     OROFORGE_RT_SYSTEM_CALL = 5,
     OROFORGE_RT_STREAM = 6,
-    OROFORGE_RT_SLEEP = 7,
-    OROFORGE_RT_CLOCK = 8,
-    OROFORGE_RT_THREAD = 9
+    OROFORGE_RT_THREAD = 7, /* a system call that may block, too */
+    OROFORGE_RT_CLOCK = 8
 };
 
 /* The kinds of user code that a component's thread executes. */

@@ -56,11 +56,11 @@ OROFORGE_WATCH(WAIT, int, pthread_timedjoin_np, (pthread_t t, void** result, Tim
 OROFORGE_WATCH(WAIT, int, pthread_clockjoin_np, (pthread_t t, void** result, clockid_t c, Time until), (t, result, c, until))
 OROFORGE_WATCH(WAIT, int, thrd_join, (thrd_t t, int* result), (t, result))
 
-OROFORGE_WATCH_IF(SLEEP, int, nanosleep, (Time t, struct timespec* rest), (t, rest), IS_LATER(t))
-OROFORGE_WATCH(SLEEP, int, clock_nanosleep, (clockid_t c, int flags, Time t, struct timespec* rest), (c, flags, t, rest))
-OROFORGE_WATCH(SLEEP, int, thrd_sleep, (Time t, struct timespec* rest), (t, rest))
-OROFORGE_WATCH(SLEEP, int, usleep, (useconds_t n), (n))
-OROFORGE_WATCH(SLEEP, unsigned, sleep, (unsigned n), (n))
+OROFORGE_WATCH_IF(WAIT, int, nanosleep, (Time t, struct timespec* rest), (t, rest), IS_LATER(t))
+OROFORGE_WATCH(WAIT, int, clock_nanosleep, (clockid_t c, int flags, Time t, struct timespec* rest), (c, flags, t, rest))
+OROFORGE_WATCH(WAIT, int, thrd_sleep, (Time t, struct timespec* rest), (t, rest))
+OROFORGE_WATCH(WAIT, int, usleep, (useconds_t n), (n))
+OROFORGE_WATCH(WAIT, unsigned, sleep, (unsigned n), (n))
 
 OROFORGE_WATCH(WAIT, int, pause, (void), ())
 OROFORGE_WATCH(WAIT, int, sigsuspend, (Signals s), (s))
