@@ -67,6 +67,7 @@ protected:
         set<std::string>(recorder, "Compression", compression);
         set<std::string>(recorder, "Schema", schema);
         set(recorder, "ChunkSize", 4096U);
+        set(recorder, "Log", false);
         std::vector<std::unique_ptr<RTT::base::OutputPortInterface>> ports;
         for (const std::string& name : RTT::types::Types()->getTypes()) {
             const TypeInfo& type = *RTT::types::Types()->type(name);
@@ -164,7 +165,7 @@ TEST_F(AllValues, AreReadByOurTool) {
         Parts parts;
         (void)oroforge::mcap::scan(source, parts);
         EXPECT_EQ(messages, parts.messages);
-        EXPECT_EQ(isIdl ? 1U : 2U, parts.encodings.size());
+        EXPECT_EQ(1U, parts.encodings.count("omgidl"));
         texts[isIdl ? 1 : 0] = parts.all;
     }
     EXPECT_EQ(texts[0], texts[1]);
