@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// McapReporting: what a message costs the reporter's thread, large samples, and 200 ports at 1 kHz.
+// McapReporting: what a message costs the reporter's thread, large samples, and 200 ports at 1 kHz. The player: what
+// a message costs, from opening the file to a connected port.
 #include <ocl/McapReporting.hpp>
+#include <replay/player.hpp>
 #include <reporting/mcap/crc32.hpp>
 #include <rtt/Activity.hpp>
 #include <rtt/Attribute.hpp>
+#include <rtt/InputPort.hpp>
 #include <rtt/Logger.hpp>
 #include <rtt/OutputPort.hpp>
 #include <rtt/Property.hpp>
@@ -151,6 +154,42 @@ void AtOneKilohertz(benchmark::State& state) {
     }
 }
 BENCHMARK(AtOneKilohertz)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
+
+/** Makes a recording of that many samples of each port, and replays it as fast as possible, into ports that are read. */
+template <class T>
+void replay(benchmark::State& state, long ports, int samples, const T& sample) {
+    Setup<T> setup(ports, kCompressions[state.range(0)], 1U << 20);
+    setup.recorder.setActivity(new RTT::extras::SlaveActivity(0.001));
+    if (!setup.recorder.start()) std::abort();
+    for (int i = 0; i < samples; ++i) {
+        setup.write(sample);
+        if (i % 100 == 99) setup.recorder.update();
+        // The writer of the file keeps up.
+        if (i % 1000 == 999) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
+    setup.recorder.stop();
+    const auto bytes = static_cast<double>(std::filesystem::file_size(fileName()));
+    std::uint64_t written = 0;
+    for (auto _ : state) {
+        std::string problem;
+        const std::unique_ptr<OCL::replay::Player> player(oroOpenRecording(fileName().c_str(), {}, problem));
+        if (!player) std::abort();
+        std::vector<std::unique_ptr<RTT::InputPort<T>>> readers;
+        for (const OCL::replay::Topic& topic : player->topics()) {
+            readers.push_back(std::make_unique<RTT::InputPort<T>>("in"));
+            if (!player->port(topic.topic, problem)->connectTo(readers.back().get())) std::abort();
+        }
+        while (player->next()) player->deliver();
+        written += player->written();
+    }
+    state.SetItemsProcessed(static_cast<std::int64_t>(written));
+    state.counters["lost"] = setup.lost();
+    state.counters["bytes"] = bytes;
+}
+void ReplayNumbers(benchmark::State& state) { replay(state, 200, 5000, 0.1); }
+BENCHMARK(ReplayNumbers)->DenseRange(0, 2)->Unit(benchmark::kMillisecond)->UseRealTime();
+void ReplayLargeSamples(benchmark::State& state) { replay(state, 1, 400, std::vector<double>(125000, 0.1)); }
+BENCHMARK(ReplayLargeSamples)->DenseRange(0, 2)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void Checksum(benchmark::State& state) {
     const std::vector<unsigned char> bytes(1 << 20, 7);

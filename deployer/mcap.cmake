@@ -20,6 +20,7 @@ add_library(oroforge_mcap STATIC
   reporting/mcap/scan.cpp
   reporting/mcap/source.cpp
   reporting/mcap/summary.cpp
+  reporting/mcap/unindexed.cpp
   reporting/mcap/writer.cpp)
 target_include_directories(oroforge_mcap PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
 set_target_properties(oroforge_mcap PROPERTIES POSITION_INDEPENDENT_CODE ON)
@@ -49,8 +50,10 @@ set_target_properties(oroforge_message_schema PROPERTIES POSITION_INDEPENDENT_CO
 
 oroforge_component_library(reporting-mcap
   reporting/recording/McapReporting.cpp
+  reporting/recording/about.cpp
   reporting/recording/chunk_pipe.cpp
   reporting/recording/components.cpp
+  reporting/recording/log_channel.cpp
   reporting/recording/options.cpp
   reporting/recording/record_file.cpp
   reporting/recording/recorded_source.cpp

@@ -36,8 +36,12 @@ bool DeployedFiles::load(const Plan& plan, diag::Sink& sink) {
     const int group = session_.nextGroup++;
     valid = deploy::load(session_, plan, group, sink);
     report(sink);
-    if (!valid) undo(group, before);
-    return valid;
+    if (!valid) {
+        undo(group, before);
+        return false;
+    }
+    for (const RTT::plugin::DeployedText& one : plan.texts) RTT::plugin::noteDeployedText(one.file, one.text);
+    return true;
 }
 
 bool DeployedFiles::plan(const std::string& file) {

@@ -4,6 +4,7 @@
 #ifndef OROFORGE_DEPLOYMENT_PLAN_HPP
 #define OROFORGE_DEPLOYMENT_PLAN_HPP
 
+#include <rtt/deployment/deployed_texts.hpp>
 #include <diag/diagnostic.hpp>
 #include <rtt/ConnPolicy.hpp>
 #include <xml/element.hpp>
@@ -91,7 +92,8 @@ struct Plan {
     std::vector<PolicyPlan> policies;
     std::optional<RTT::ConnPolicy> defaultPolicy;  // for the process from now on
     std::vector<ComponentPlan> components;
-    std::vector<xml::Element> globals;  // `Properties` structs for the global properties
+    std::vector<xml::Element> globals;             // `Properties` structs for the global properties
+    std::vector<RTT::plugin::DeployedText> texts;  // of the file and those that it includes
 };
 
 }  // namespace OCL::deploy

@@ -44,6 +44,7 @@ public:
 
     /** Reads statement by statement, so that only what the plan needs stays in memory. */
     void readText(const std::string& text, const std::string& name) {
+        plan_.texts.push_back({name, text});
         const auto take = [this](const xml::Element& root, xml::Element&& child) {
             if (root.name == "properties" && child.name != "description") readTopLevel(std::move(child));
         };

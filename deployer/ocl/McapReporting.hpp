@@ -38,7 +38,7 @@ private:
     std::string compression_, split_, ringSize_ = "1 GB", clock_ = "realtime", schema_ = "auto";
     unsigned int chunkSize_ = 1U << 20;
     double chunkTime_ = 0.5, ring_ = 0;
-    bool reproducible_ = false, rosNames_ = false, states_ = true;
+    bool reproducible_ = false, rosNames_ = false, states_ = true, log_ = true;
 };
 
 }  // namespace OCL

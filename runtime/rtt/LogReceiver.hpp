@@ -49,10 +49,16 @@ public:
 };
 
 /**
- * As Logger::setReceiver(), for one more receiver beside the file and that one: for views that come and go. Each of the
- * two has a thread of its own.
+ * As Logger::setReceiver(), for any number of receivers beside the file and that one: for views that come and go. They
+ * share a second thread, "log receiver", and the 1000 lines that wait for it. An observer that was added is not added
+ * again.
  */
-RTT_API LogReceiver* setLogObserver(LogReceiver* observer);
+RTT_API void addLogObserver(LogReceiver& observer);
+/**
+ * When this returns, the observer has got the lines that were logged before, unless that takes longer than a second,
+ * and is not in use. Must not be called by receive().
+ */
+RTT_API void removeLogObserver(LogReceiver& observer);
 
 }  // namespace RTT
 #endif

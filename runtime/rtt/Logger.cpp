@@ -184,10 +184,6 @@ LogReceiver* Logger::setReceiver(LogReceiver* receiver, LogReceiverUse use) {
 }
 
 LogReceiver::~LogReceiver() = default;
-LogReceiver* setLogObserver(LogReceiver* observer) {
-    Logger::Instance();
-    return logSink().setObserver(observer);
-}
 
 void Logger::startup() { logSink().startup(); }
 void Logger::shutdown() { logSink().shutdown(); }

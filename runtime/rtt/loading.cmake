@@ -4,6 +4,7 @@
 target_sources(orocos-rtt PRIVATE
   rtt/deployment/ComponentLoader.cpp
   rtt/deployment/component_factories.cpp
+  rtt/deployment/deployed_texts.cpp
   rtt/deployment/detail/component_library.cpp
   rtt/deployment/detail/component_table.cpp
   rtt/deployment/detail/package_import.cpp

@@ -15,6 +15,7 @@ target_sources(orocos-rtt PRIVATE
   rtt/detail/log_leftovers.cpp
   rtt/detail/log_line.cpp
   rtt/detail/log_queue.cpp
+  rtt/detail/log_observers.cpp
   rtt/detail/log_relay.cpp
   rtt/detail/log_settings.cpp
   rtt/detail/log_sink.cpp

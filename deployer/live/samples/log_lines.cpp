@@ -9,9 +9,9 @@ namespace {
 constexpr std::size_t kMost = 1000;
 }
 
-LogLines::LogLines(std::function<void()> wake) : wake_(std::move(wake)) { (void)RTT::setLogObserver(this); }
+LogLines::LogLines(std::function<void()> wake) : wake_(std::move(wake)) { RTT::addLogObserver(*this); }
 
-LogLines::~LogLines() { (void)RTT::setLogObserver(nullptr); }
+LogLines::~LogLines() { RTT::removeLogObserver(*this); }
 
 void LogLines::receive(const RTT::LogEntry& entry) {
     LogLine line{entry.wallTime, entry.level, std::string(entry.origin), std::string(entry.text)};

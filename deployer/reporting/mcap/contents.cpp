@@ -3,6 +3,7 @@
 #include "contents.hpp"
 
 #include "summary.hpp"
+#include "unindexed.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -12,8 +13,6 @@ namespace {
 
 typedef std::function<void(const Problem&)> Report;
 
-/** Messages that are in no chunk are read together, so many bytes at a time. */
-constexpr std::uint64_t kLoosePiece = std::uint64_t(1) << 20;
 /** No metadata are larger. */
 constexpr std::uint64_t kLargestMetadata = std::uint64_t(1) << 24;
 
@@ -27,7 +26,9 @@ public:
     void problem(const Problem& one) override { report_(one); }
 
     void chunk(const ChunkHead&, const Bytes& record, std::uint64_t offset) override {
-        piece_ = {offset, kRecordHead + record.size(), 0, 0, {}, true};
+        finish();
+        piece_.offset = offset;
+        piece_.length = kRecordHead + record.size();
         inChunk_ = true;
     }
     void chunkEnd() override {
@@ -35,32 +36,25 @@ public:
         inChunk_ = false;
     }
     void message(const Message& one) override {
-        if (!inChunk_) addLoose(one);
-        if (piece_.channels.empty() || one.logTime < piece_.start) piece_.start = one.logTime;
+        const std::uint64_t size = kMessageHead + one.size;
+        if (!inChunk_ && !piece_.addLoose(one.logTime, one.offset, size)) {
+            finish();
+            (void)piece_.addLoose(one.logTime, one.offset, size);
+        }
+        const bool isFirst = contents_.counts.empty(), isFirstOfPiece = piece_.channels.empty();
+        piece_.start = isFirstOfPiece ? one.logTime : std::min(piece_.start, one.logTime);
         piece_.end = std::max(piece_.end, one.logTime);
         piece_.channels.insert(one.channel);
-        const bool isFirst = contents_.counts.empty();
         contents_.start = isFirst ? one.logTime : std::min(contents_.start, one.logTime);
         contents_.end = std::max(contents_.end, one.logTime);
         ++contents_.counts[one.channel];
     }
     void finish() {
-        if (!piece_.channels.empty()) contents_.pieces.push_back(std::exchange(piece_, {}));
+        if (!piece_.channels.empty()) contents_.pieces.push_back(std::move(piece_));
         piece_ = {};
     }
 
 private:
-    void addLoose(const Message& one) {
-        const std::uint64_t length = kMessageHead + one.size;
-        const bool isNext = !piece_.channels.empty() && one.offset == piece_.offset + piece_.length;
-        if (!isNext || piece_.length + length > kLoosePiece) {
-            finish();
-            piece_.offset = one.offset;
-            piece_.isChunk = false;
-        }
-        piece_.length += length;
-    }
-
     Contents& contents_;
     const Report& report_;
     Piece piece_;
@@ -89,15 +83,23 @@ void readMetadata(Source& source, const Summary& summary, Contents& contents, co
     }
 }
 
+/** An index need not repeat what describes the messages. */
+bool describesAll(const Summary& summary) {
+    return !summary.channels.empty() && summary.channels.size() >= summary.statistics.channels &&
+           std::all_of(summary.channels.begin(), summary.channels.end(), [&](const auto& one) {
+               return one.second.schema == 0 || summary.schemas.count(one.second.schema) != 0;
+           });
+}
+
 }  // namespace
 
 Contents readContents(Source& source, const Report& report) {
     Contents contents;
     Summary summary;
     const Problem problem = readSummary(source, summary);
-    contents.hasIndex = !problem && !summary.chunks.empty() && !summary.channels.empty();
+    contents.hasIndex = !problem && describesAll(summary);
     if (contents.hasIndex) {
-        contents.pieces = piecesOf(summary);
+        contents.pieces = piecesOf(summary, findUnindexed(source, summary, {}, report));
         contents.schemas = std::move(summary.schemas);
         contents.channels = std::move(summary.channels);
         contents.counts = summary.statistics.ofChannel;
@@ -119,7 +121,7 @@ Contents readContents(Source& source, const Report& report) {
     (void)scan(source, scanning);
     scanning.finish();
     // Of a file that is not whole, scan() says why.
-    if (problem && !reported && !summary.isAbsent) report(problem);
+    if (problem && !reported) report(problem);
     return contents;
 }
 

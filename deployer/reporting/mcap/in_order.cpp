@@ -7,16 +7,46 @@
 
 namespace oroforge::mcap {
 
-std::vector<Piece> piecesOf(const Summary& summary) {
+namespace {
+
+/** Messages that are in no chunk are read together, so many bytes at a time. */
+constexpr std::uint64_t kLoosePiece = std::uint64_t(1) << 20;
+
+}  // namespace
+
+bool Piece::addLoose(std::uint64_t time, std::uint64_t at, std::uint64_t size) {
+    const bool isFirst = length == 0;
+    if (!isFirst && (isChunk || at != offset + length || length + size > kLoosePiece)) return false;
+    if (isFirst) offset = at;
+    isChunk = false;
+    start = isFirst ? time : std::min(start, time);
+    end = std::max(end, time);
+    length += size;
+    return true;
+}
+
+std::vector<Piece> piecesOf(const Summary& summary, const Unindexed& more) {
     std::vector<Piece> pieces;
     std::set<std::uint64_t> offsets;
-    for (const ChunkIndex& index : summary.chunks) {
-        // A hostile index could name one chunk so often that no memory holds it.
-        if (!offsets.insert(index.offset).second) continue;
-        Piece piece{index.offset, index.length, index.head.start, index.head.end, {}, true};
-        for (const auto& [channel, at] : index.channels) piece.channels.insert(channel);
-        pieces.push_back(std::move(piece));
+    for (const std::vector<ChunkIndex>* const chunks : {&summary.chunks, &more.chunks})
+        for (const ChunkIndex& index : *chunks) {
+            // A hostile index could name one chunk so often that no memory holds it.
+            if (!offsets.insert(index.offset).second) continue;
+            Piece piece;
+            piece.offset = index.offset;
+            piece.length = index.length;
+            piece.start = index.head.start;
+            piece.end = index.head.end;
+            for (const auto& [channel, at] : index.channels) piece.channels.insert(channel);
+            pieces.push_back(std::move(piece));
+        }
+    Piece loose;
+    for (const LooseMessage& one : more.messages) {
+        if (loose.addLoose(one.time, one.offset, kRecordHead + one.size)) continue;
+        pieces.push_back(std::exchange(loose, {}));
+        (void)loose.addLoose(one.time, one.offset, kRecordHead + one.size);
     }
+    if (loose.length != 0) pieces.push_back(std::move(loose));
     return pieces;
 }
 
@@ -24,7 +54,9 @@ struct InOrder::Open : Visitor {
     Open(const Selection& chosen, const Damaged& report) : selection(chosen), damaged(report) {}
     void message(const Message& message) override {
         if (message.logTime < selection.start || message.logTime >= selection.end) return;
-        if (selection.channels.empty() || selection.channels.count(message.channel) != 0) messages.push_back(message);
+        if (!selection.channels.empty() && selection.channels.count(message.channel) == 0) return;
+        messages.push_back(message);
+        if (isLoose) messages.back().offset += offset;
     }
     void problem(const Problem& problem) override { damaged(problem); }
     std::uint64_t time() const { return messages[at].logTime; }
@@ -32,6 +64,7 @@ struct InOrder::Open : Visitor {
     const Selection& selection;
     const Damaged& damaged;
     std::uint64_t offset = 0;
+    bool isLoose = false;
     ChunkReader chunk;
     std::vector<Message> messages;
     std::size_t at = 0;
@@ -83,7 +116,8 @@ void InOrder::open(const Piece& piece) {
     open_.emplace_back(selection_, damaged_);
     Open& one = open_.back();
     one.offset = piece.offset;
-    if (read(piece, one)) visitRecords(one.chunk, piece.isChunk ? piece.offset : 0, known_, one);
+    one.isLoose = !piece.isChunk;
+    if (read(piece, one)) visitRecords(one.chunk, piece.offset, known_, one);
     std::stable_sort(one.messages.begin(), one.messages.end(),
                      [](const Message& a, const Message& b) { return a.logTime < b.logTime; });
     if (one.messages.empty()) open_.pop_back();
@@ -120,9 +154,12 @@ bool InOrder::read(const Piece& piece, Open& one) {
 void readMessages(Source& source, const Summary& summary, const Selection& selection,
                   const std::function<void(const Message&)>& visit, const std::function<void(const Problem&)>& damaged,
                   const Limits& limits) {
-    std::set<std::uint16_t> known;
+    const Unindexed more = findUnindexed(source, summary, selection, damaged);
+    std::set<std::uint16_t> known = more.channels;
     for (const auto& [id, channel] : summary.channels) known.insert(id);
-    InOrder messages(source, piecesOf(summary), std::move(known), selection, damaged, limits);
+    // Without them in the index, those of other chunks are unknown: any may be there.
+    for (std::uint16_t id = 0xffff; summary.channels.empty() && id != 0; --id) known.insert(id);
+    InOrder messages(source, piecesOf(summary, more), std::move(known), selection, damaged, limits);
     while (const Message* const message = messages.next()) visit(*message);
 }
 

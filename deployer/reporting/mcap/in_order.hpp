@@ -8,6 +8,7 @@
 #include "scan.hpp"
 #include "source.hpp"
 #include "summary.hpp"
+#include "unindexed.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -23,10 +24,14 @@ struct Piece {
     std::uint64_t start = 0, end = 0;  ///< the earliest and the latest logTime
     std::set<std::uint16_t> channels;  ///< of its messages; any if it is empty
     bool isChunk = true;
+
+    /** Adds the record of a message that is in no chunk. False if it does not follow the one before, or makes the piece
+        too large. */
+    bool addLoose(std::uint64_t time, std::uint64_t at, std::uint64_t size);
 };
 
-/** The chunks that an index names, each once. */
-std::vector<Piece> piecesOf(const Summary& summary);
+/** The chunks that an index names, each once, and then what it does not name. */
+std::vector<Piece> piecesOf(const Summary& summary, const Unindexed& more);
 
 /**
  * Gives messages in the order of their times, those of one time in the order of the file. Reads only the pieces that

@@ -49,8 +49,7 @@ Problem readSummary(Source& source, Summary& summary, const Limits& limits) {
         return {"MCP002", size, "the file ends without its index: the recorder was killed, or still runs"};
     const std::uint64_t footer = size - sizeof end;
     const auto begin = numberAt<std::uint64_t>(end + kRecordHead);
-    summary.isAbsent = begin == 0;
-    if (begin == 0) return damaged(footer, "it is empty");
+    if (begin == 0) return {};  // the file has none
     if (begin < sizeof kMagic || begin > footer)
         return damaged(footer, "it would begin at byte " + std::to_string(begin));
     if (footer - begin > limits.largestRecord) return damaged(begin, "it is larger than this reader takes");

@@ -23,10 +23,10 @@ struct Summary {
     std::vector<ChunkIndex> chunks;  ///< in the order of the file
     std::vector<MetadataIndex> metadata;
     Statistics statistics;
-    bool isAbsent = false;  ///< the file is whole, but its writer made none
 };
 
-/** A problem if there is none, or it is damaged; scan() reads such a file. */
+/** A problem if the file has no end, or what it says is damaged; scan() reads such a file. A file may have an end that
+    says nothing. */
 Problem readSummary(Source& source, Summary& summary, const Limits& limits = {});
 
 /** The messages to read: those with start <= logTime < end. */
@@ -37,8 +37,8 @@ struct Selection {
 
 /**
  * Visits messages in the order of their times, those of one time in the order of the file. Reads only the chunks that
- * contain such channels and times, and keeps in memory those that overlap. Damaged chunks are given to `damaged` and
- * left out.
+ * contain such channels and times, and keeps in memory those that overlap, and the places of messages that are in no
+ * chunk. What the summary does not name is looked for. Damaged chunks are given to `damaged` and left out.
  */
 void readMessages(Source& source, const Summary& summary, const Selection& selection,
                   const std::function<void(const Message&)>& visit, const std::function<void(const Problem&)>& damaged,

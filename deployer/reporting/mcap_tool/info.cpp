@@ -58,13 +58,20 @@ public:
                       << secondsOf(all_.last - all_.first) << " s\n";
         for (const Metadata& one : metadata_) {
             std::cout << "metadata    " << one.name << ":";
-            for (const auto& [name, value] : one.texts) std::cout << " " << name << "=" << value;
+            for (const auto& [name, value] : one.texts) std::cout << " " << name << "=" << shortened(value);
             std::cout << "\n";
         }
         printTopics();
     }
 
 private:
+    /** Files are in the metadata, too. */
+    static std::string shortened(const std::string& value) {
+        constexpr std::size_t kMost = 200;
+        const bool isLine = value.size() <= kMost && value.find('\n') == std::string::npos;
+        return isLine ? value : "(" + std::to_string(value.size()) + " bytes)";
+    }
+
     struct Of {
         Channel channel;
         std::uint64_t messages = 0, first = 0, last = 0, gaps = 0;

@@ -5,6 +5,7 @@
 #include <diag/nearest_match.hpp>
 #include <reporting/mcap/scan.hpp>
 
+#include <algorithm>
 #include <iostream>
 #include <vector>
 
@@ -53,16 +54,26 @@ std::unique_ptr<OpenedFile> OpenedFile::open(const std::string& name) {
 
 void OpenedFile::learn() {
     const Problem problem = readSummary(*source_, summary_);
-    hasIndex_ = !problem && !summary_.chunks.empty() && !summary_.channels.empty();
-    if (hasIndex_) {
+    hasIndex_ = !problem;
+    if (hasIndex_ && describesAll()) {
         schemas_ = summary_.schemas;
         channels_ = summary_.channels;
         return;
     }
     Names names(*this);
     (void)scan(*source_, names);
+    summary_.channels = channels_;
     // Of a file that is not whole, scan() says why.
     if (problem && reported_.empty()) report(problem);
+}
+
+/** An index need not repeat what describes the messages. */
+bool OpenedFile::describesAll() const {
+    const auto isDescribed = [this](const auto& one) {
+        return one.second.schema == 0 || summary_.schemas.count(one.second.schema) != 0;
+    };
+    return !summary_.channels.empty() && summary_.channels.size() >= summary_.statistics.channels &&
+           std::all_of(summary_.channels.begin(), summary_.channels.end(), isDescribed);
 }
 
 void OpenedFile::report(const Problem& problem) {

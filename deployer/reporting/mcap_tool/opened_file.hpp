@@ -31,7 +31,7 @@ public:
     /** Part of the file could not be read. */
     bool isDamaged() const { return isDamaged_; }
 
-    /** Visits the messages of these topics, all if there are none: in the order of times if the file has an index,
+    /** Visits the messages of these topics, all if there are none: in the order of times if the file has its end,
         otherwise in that of the file. */
     void read(const std::set<std::string>& topics, const std::function<void(const Channel&, const Message&)>& visit);
 
@@ -40,6 +40,7 @@ private:
     class Messages;
     OpenedFile(std::string name, std::unique_ptr<Source> source) : name_(std::move(name)), source_(std::move(source)) {}
     void learn();
+    bool describesAll() const;
     void report(const Problem& problem);
 
     const std::string name_;

@@ -34,6 +34,7 @@ McapReporting::McapReporting(const std::string& name) : ReportingComponent(name)
     addProperty("RingSize", ringSize_)
         .doc("The memory that Ring may take, such as '500 MB'. If that is not enough, it keeps fewer seconds.");
     addProperty("States", states_).doc("Record the states of all peers to the topic /oroforge/states.");
+    addProperty("Log", log_).doc("Record the lines of the log to the topic /rosout; not with Reproducible.");
     addProperty("Clock", clock_)
         .doc("The times of messages: realtime, since 1970, or component, that of the TimeService.");
     addProperty("Reproducible", reproducible_)
@@ -70,6 +71,8 @@ bool McapReporting::startHook() {
     options.file = reportFile_;
     options.sources.rosNames = rosNames_;
     if (states_) options.peers = getPeerGates();
+    // When a line comes depends on another thread.
+    options.hasLog = log_ && !reproducible_;
     reportBy([options](const reporting::Sources& sources, const reporting::ReportOptions& general) {
         recording::RecordingOptions all = options;
         all.onFailure = general.onFailure;

@@ -78,7 +78,8 @@ RecordFile::RecordFile(const FileContent& content, const std::string& file)
     bool good = writer_.begin(content.header);
     for (const mcap::Schema& schema : content.schemas) good = good && writer_.add(schema);
     for (const mcap::Channel& channel : content.channels) good = good && writer_.add(channel);
-    (void)note(good && writer_.add(content.about));
+    for (const mcap::Metadata& about : content.about) good = good && writer_.add(about);
+    (void)note(good);
 }
 
 RecordFile::~RecordFile() = default;

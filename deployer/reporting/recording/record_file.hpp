@@ -24,7 +24,7 @@ struct FileContent {
     oroforge::mcap::Header header;
     std::vector<oroforge::mcap::Schema> schemas;
     std::vector<oroforge::mcap::Channel> channels;
-    oroforge::mcap::Metadata about;
+    std::vector<oroforge::mcap::Metadata> about;
     std::function<oroforge::mcap::Metadata()> atEnd;  ///< what is known when a file ends
     oroforge::mcap::Compression compression = oroforge::mcap::Compression::None;
 };

@@ -2,16 +2,13 @@
 // Copyright Oroforge contributors
 #include "recording.hpp"
 
+#include "about.hpp"
+
 #include <rtt/Logger.hpp>
 #include <rtt/os/TimeService.hpp>
 
 #include <algorithm>
 #include <chrono>
-#include <ctime>
-#include <filesystem>
-#include <fstream>
-#include <sys/utsname.h>
-#include <system_error>
 #include <utility>
 
 namespace OCL::recording {
@@ -30,50 +27,13 @@ std::int64_t timeOfDay() {
         .count();
 }
 
-std::string dateNow() {
-    const std::time_t now = std::time(nullptr);
-    std::tm parts{};
-    char text[32] = "";
-    if (gmtime_r(&now, &parts)) (void)std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
-    return text;
-}
-
-/** How the process was started, which names the files of its deployment. */
-std::string commandLine() {
-    constexpr std::size_t kMost = 4096;
-    std::ifstream file("/proc/self/cmdline", std::ios::binary);
-    std::string text(kMost, '\0');
-    file.read(text.data(), static_cast<std::streamsize>(text.size()));
-    text.resize(static_cast<std::size_t>(file.gcount()));
-    while (!text.empty() && text.back() == '\0') text.pop_back();
-    std::replace(text.begin(), text.end(), '\0', ' ');
-    return text;
-}
-
-mcap::Metadata about(const RecordingOptions& options) {
-    mcap::Metadata result{"oroforge", {}};
-    result.texts["component"] = options.component;
-    result.texts["clock"] = options.realtime ? "realtime" : "component";
-    result.texts["version"] = OROFORGE_VERSION;
-    // The same run in simulated time gives the same file.
-    if (options.isReproducible) return result;
-    result.texts["start"] = dateNow();
-    result.texts["command"] = commandLine();
-    std::error_code error;
-    result.texts["folder"] = std::filesystem::current_path(error).string();
-    utsname system{};
-    if (::uname(&system) != 0) return result;
-    result.texts["host"] = system.nodename;
-    result.texts["kernel"] = std::string(system.sysname) + " " + system.release + " " + system.machine;
-    return result;
-}
-
 }  // namespace
 
 std::unique_ptr<Recording> Recording::make(const reporting::Sources& sources, const RecordingOptions& options) {
     std::unique_ptr<Recording> result(new Recording(options));
     for (const std::shared_ptr<reporting::Source>& source : sources) result->add(source);
     if (!options.peers.empty()) result->addStates();
+    if (options.hasLog) result->addLog();
     if (!result->begin()) return nullptr;
     return result;
 }
@@ -82,7 +42,7 @@ Recording::Recording(const RecordingOptions& options)
     : options_(options), toClock_(options.realtime ? timeOfDay() - RTT::os::TimeService::Instance()->getNSecs() : 0) {
     content_.file = options.file;
     content_.header = {"ros2", "oroforge " OROFORGE_VERSION};
-    content_.about = about(options);
+    content_.about = aboutRecording(options);
     content_.atEnd = [this] { return atEnd(); };
     content_.compression = options.compression;
 }
@@ -126,6 +86,14 @@ void Recording::addStates() {
     content_.channels.push_back(states_->channel(channel, schema));
 }
 
+void Recording::addLog() {
+    const auto schema = static_cast<std::uint16_t>(content_.schemas.size() + 1);
+    const auto channel = static_cast<std::uint16_t>(content_.channels.size() + 1);
+    log_.reset(new LogChannel(options_.realtime));
+    content_.schemas.push_back(LogChannel::schema(schema));
+    content_.channels.push_back(log_->channel(channel, schema));
+}
+
 bool Recording::begin() {
     ChunkTaker* taker = nullptr;
     if (options_.ring > 0) {
@@ -158,6 +126,7 @@ std::uint64_t Recording::now() const {
 bool Recording::read() {
     bool any = false;
     if (states_) states_->add(*pipe_, now());
+    if (log_) log_->add(*pipe_);
     const std::function<std::uint64_t()> clock = [this] { return now(); };
     for (const auto& source : sources_) any |= source->addSamples(*pipe_, clock, kSamplesPerCycle);
     if (lost() != 0 && !std::exchange(everLost_, true))
@@ -183,7 +152,8 @@ void Recording::wakeOnData(bool on) {
 }
 
 void Recording::finish() {
-    // Samples from before stop() belong to the recording.
+    // Samples and lines from before stop() belong to the recording.
+    if (log_) log_->end();
     (void)read();
     pipe_->finish();
     if (file_) file_->finish();
@@ -193,7 +163,7 @@ void Recording::finish() {
 }
 
 unsigned long Recording::lost() const {
-    unsigned long sum = (pipe_ ? pipe_->lost() : 0) + (states_ ? states_->lost() : 0);
+    unsigned long sum = (pipe_ ? pipe_->lost() : 0) + (states_ ? states_->lost() : 0) + (log_ ? log_->lost() : 0);
     for (const auto& source : sources_) sum += source->lost();
     return sum;
 }
@@ -207,6 +177,12 @@ mcap::Metadata Recording::atEnd() const {
         sum += lost;
         if (lost != 0) result.texts[content_.channels[i].topic] = std::to_string(lost);
     }
+    const auto addOwn = [&](const char* topic, std::uint64_t lost) {
+        sum += lost;
+        if (lost != 0) result.texts[topic] = std::to_string(lost);
+    };
+    if (states_) addOwn("/oroforge/states", states_->lost());
+    if (log_) addOwn("/rosout", log_->lost());
     result.texts["all"] = std::to_string(sum);
     return result;
 }

@@ -4,6 +4,7 @@
 #define OROFORGE_RECORDING_RECORDING_HPP
 
 #include "chunk_pipe.hpp"
+#include "log_channel.hpp"
 #include "record_file.hpp"
 #include "recorded_source.hpp"
 #include "state_channel.hpp"
@@ -29,6 +30,7 @@ struct RecordingOptions {
     bool isReproducible = false;  ///< nothing of this process and its times is recorded
     bool realtime = true;         ///< messages have the time of day; otherwise that of the TimeService
     RecordedSource::Options sources;
+    bool hasLog = false;                ///< the lines of the log are recorded
     RTT::TaskContext::PeerGates peers;  ///< those whose states are recorded
     std::function<void()> onFailure;    ///< called once by another thread, when nothing more can be written
 };
@@ -58,6 +60,7 @@ private:
     void add(const std::shared_ptr<reporting::Source>& source);
     std::uint16_t schemaOf(const RTT::encoding::SchemaText& text);
     void addStates();
+    void addLog();
     bool begin();
     std::uint64_t now() const;
     oroforge::mcap::Metadata atEnd() const;
@@ -67,6 +70,7 @@ private:
     FileContent content_;
     std::vector<std::unique_ptr<RecordedSource>> sources_;
     std::unique_ptr<StateChannel> states_;  // null: they are not recorded
+    std::unique_ptr<LogChannel> log_;       // the same
     std::unique_ptr<FileTaker> file_;       // without a ring
     std::unique_ptr<LastChunks> last_;      // the ring
     std::unique_ptr<ChunkPipe> pipe_;       // last: its thread uses those

@@ -42,8 +42,7 @@ private:
     std::vector<State> states_;
 };
 
-/** Elements of lists have bytes, so that lists end with the message; structs have bytes, so that they do not
-    multiply. */
+/** Elements of lists have bytes, so that lists end with the message; so do structs, so that they do not multiply. */
 bool haveBytes(const std::vector<Struct>& structs, std::string& why) {
     for (const Struct& one : structs)
         for (const Field& field : one.fields) {

@@ -214,6 +214,11 @@ LogReceiver* LogSink::setObserver(LogReceiver* observer) {
     return previous;
 }
 
+void LogSink::deliverToObserver() {
+    drain();
+    (void)observers_.deliver();
+}
+
 void LogSink::notTaken(const LogParts& line) {
     std::lock_guard<std::mutex> lock(mutex_);
     compose(line);

@@ -67,6 +67,8 @@ public:
     /** See Logger. Waits for the previous one. */
     LogReceiver* setReceiver(LogReceiver* receiver, LogReceiverUse use);
     LogReceiver* setObserver(LogReceiver* observer);
+    /** Waits until the observer has got what was logged before, a second at most. */
+    void deliverToObserver();
     bool reachesConsole(LoggerLevel level) const noexcept {
         return level != Never && level <= consoleLimit_.load(std::memory_order_relaxed);
     }

@@ -28,6 +28,7 @@ protected:
         set<std::string>("Clock", "component");
         set<std::string>("Compression", "none");
         set("States", false);
+        set("Log", false);
     }
     void TearDown() override {
         recorder.reset();

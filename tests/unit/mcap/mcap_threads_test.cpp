@@ -33,7 +33,7 @@ TEST_F(RecorderThreads, EveryMessageIsThereOrCounted) {
     const Found found = read();
     EXPECT_TRUE(found.scanned.hasEnd && found.problems.empty());
     ASSERT_EQ(2U, found.allMetadata.size());
-    EXPECT_EQ(23000U, found.messages.size() + std::stoul(found.allMetadata[1].texts.at("all")));
+    EXPECT_EQ(23000U, found.messages.size() + std::stoul(found.allMetadata.back().texts.at("all")));
     std::uint32_t next[3] = {};
     for (const auto& [channel, sequence, time, data] : found.messages) {
         ASSERT_GE(sequence, next[channel]);

@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 // Receivers of the log: what they get, and what happens if they block, throw, log, or go away.
 #include "log_probe_run.hpp"
+#include "log_receivers.hpp"
 #include "real_time_thread.hpp"
 
 #include <rtt/LogReceiver.hpp>
@@ -34,36 +35,8 @@ using testing::Not;
 
 namespace {
 
-/** Keeps "[origin] text" of each line, then calls `then`. */
-class Receiver : public LogReceiver {
-public:
-    explicit Receiver(std::function<void(const LogEntry&)> then = nullptr) : then_(std::move(then)) {}
-    ~Receiver() override { alive_ = false; }
-    void receive(const LogEntry& entry) override {
-        if (!alive_) std::abort();
-        {
-            const std::lock_guard<std::mutex> lock(mutex_);
-            lines_.push_back("[" + std::string(entry.origin) + "] " + std::string(entry.text));
-            last_ = entry;
-        }
-        if (then_) then_(entry);
-    }
-    std::vector<std::string> lines() {
-        const std::lock_guard<std::mutex> lock(mutex_);
-        return lines_;
-    }
-    LogEntry last() {
-        const std::lock_guard<std::mutex> lock(mutex_);
-        return last_;
-    }
-
-private:
-    std::mutex mutex_;
-    std::vector<std::string> lines_;
-    LogEntry last_{};
-    const std::function<void(const LogEntry&)> then_;
-    std::atomic<bool> alive_{true};
-};
+using os_test::LogReceivers;
+using os_test::Receiver;
 
 /** Where the receiver's thread waits until the test lets it go. */
 class Barrier {
@@ -88,32 +61,6 @@ private:
     std::mutex mutex_;
     std::condition_variable changed_;
     bool open_ = false, reached_ = false;
-};
-
-class LogReceivers : public testing::Test {
-protected:
-    LogReceivers() {
-        // The log begins anew, in a file of this test.
-        logger.shutdown();
-        setenv("ORO_LOGFILE", (directory.path() / "test.log").c_str(), 1);
-        logger.startup();
-        logger.setLogLevel(Logger::Warning);
-        logger.setStdStream(console);
-    }
-    ~LogReceivers() override {
-        logger.setReceiver(nullptr);
-        logger.setStdStream(std::cerr);
-        logger.shutdown();
-        unsetenv("ORO_LOGFILE");
-        logger.startup();
-    }
-    std::string file() {
-        log(Error) << flushlog();
-        return os_test::contentOf(directory.path() / "test.log");
-    }
-    oroforge::test::TempDir directory;
-    std::ostringstream console;
-    Logger& logger = *Logger::Instance();
 };
 
 TEST_F(LogReceivers, GetTheLinesOfTheFile) {

@@ -280,7 +280,7 @@ TEST_F(PlayerOf, AnIndexWithWrongTimesNeverGoesBack) {
     oroforge::mcap::Summary summary;
     ASSERT_FALSE(readSummary(source, summary));
     ASSERT_GT(summary.chunks.size(), 3U);
-    std::vector<oroforge::mcap::Piece> pieces = oroforge::mcap::piecesOf(summary);
+    std::vector<oroforge::mcap::Piece> pieces = oroforge::mcap::piecesOf(summary, {});
     ASSERT_EQ(summary.chunks.size(), pieces.size());
     pieces[0].start = pieces[3].end;
     oroforge::mcap::InOrder messages(source, pieces, {1, 2}, {}, [](const oroforge::mcap::Problem&) { FAIL(); });

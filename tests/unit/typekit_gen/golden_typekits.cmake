@@ -125,7 +125,7 @@ if(TARGET orocos-ocl-reporting-mcap)
   oroforge_add_test(mcap_judges_test
     SOURCES recorded_values_test.cpp shape_filler.cpp
     LABELS judges
-    LIBS orocos-rtt orocos-rtt-encoding orocos-ocl-reporting-mcap oroforge_mcap oroforge_message_schema oroforge_test_support
+    LIBS orocos-rtt orocos-rtt-encoding orocos-ocl-replay orocos-ocl-reporting-mcap oroforge_mcap oroforge_message_schema oroforge_test_support
     DEFINITIONS GOLDEN_TYPEKIT_DIR="${PROJECT_BINARY_DIR}/tests/lib" GOLDEN_TYPEKITS="${golden_cases}" RTT_TYPEKIT_FILE="$<TARGET_FILE:rtt-typekit>"
       JUDGES_DIR="${PROJECT_BINARY_DIR}/tests/mcap_judges" JUDGE="${PROJECT_SOURCE_DIR}/tests/mcap_judges/judge.mjs"
     DEPENDS rtt-typekit ${golden_typekits}
