@@ -6,6 +6,7 @@ if(OROFORGE_SANITIZE)
 endif()
 find_package(Threads REQUIRED)
 add_library(orocos-rtcheck SHARED
+  rt_check/clocks.c
   rt_check/findings.cpp
   rt_check/locks.c
   rt_check/lookups.c

@@ -225,7 +225,8 @@ int run(int argc, char** argv, const Options& options, const Program& program, P
     // A reader of the output, such as roslaunch, sees each line at once.
     if (!isatty(STDOUT_FILENO)) std::setvbuf(stdout, nullptr, _IOLBF, 0);
     std::string error;
-    if (options.realTimeCheck) error = startRealTimeCheck(argv);
+    if (options.realTimeCheck) error = startRealTimeCheck(argv, CheckedFor::RealTime);
+    if (options.replayCheck) error = startRealTimeCheck(argv, CheckedFor::Replay);
     // Threads do not survive a fork: this comes before the runtime starts.
     const pid_t child = error.empty() && options.daemon ? fork() : 0;
     if (child > 0) _exit(0);
@@ -246,7 +247,7 @@ int run(int argc, char** argv, const Options& options, const Program& program, P
     if (!options.consoleLog) RTT::Logger::Instance()->mayLogStdOut(false);
     int status = runWithRuntime(wordsForRuntime(argc, argv), options, program, report);
     if (options.realTimeMemory != 0) reportRealTimeMemory();
-    if (options.realTimeCheck && !reportRealTimeCheck(report)) status = kFailure;
+    if ((options.realTimeCheck || options.replayCheck) && !reportRealTimeCheck(report)) status = kFailure;
     return status;
 }
 

@@ -58,13 +58,24 @@ const struct {
                                  {"errorHook()", "errorHook()", "errorHook()"},
                                  {"the callback of a port", "the callback of a port", "callbacks of ports"},
                                  {"a message", "an operation", "operations"},
-                                 {"a function", "a script", "scripts"}};
+                                 {"a function", "a script", "scripts"},
+                                 {"configureHook()", "configureHook()", "configureHook()"},
+                                 {"startHook()", "startHook()", "startHook()"},
+                                 {"its constructor", "its constructor", "constructors"}};
+
+/** Those in which a component must be real-time safe. */
+constexpr int kRealTimePlaces = OROFORGE_RT_CONFIGURE;
+
+CheckedFor checkedFor = CheckedFor::RealTime;
+
+const char* option() { return checkedFor == CheckedFor::RealTime ? "--rt-check" : "--replay-check"; }
 
 /** The place of the hook; OROFORGE_RT_PLACES if it has none. */
 int placeOf(const HookInProgress& hook) {
     int place = 0;
     while (place != OROFORGE_RT_PLACES && std::strcmp(hook.hook, kPlaces[place].hook) != 0) ++place;
-    return place;
+    const bool isOther = checkedFor == CheckedFor::RealTime && place >= kRealTimePlaces;
+    return isOther ? OROFORGE_RT_PLACES : place;
 }
 
 /** True if the component runs: before start(), its code need not be real-time safe. */
@@ -76,7 +87,7 @@ bool isRunning(const HookInProgress& hook) {
 void onBegin(const HookInProgress& hook) {
     const int place = placeOf(hook);
     if (place == OROFORGE_RT_PLACES) return;
-    const bool realTime = isRunning(hook) && isRealTime(hook);
+    const bool realTime = checkedFor == CheckedFor::Replay || (isRunning(hook) && isRealTime(hook));
     // Prepares the logger's buffer of this thread; a real-time thread has one before it executes anything.
     if (realTime) const RTT::Logger::In prepared(kPlaces[place].where);
     beginWatch(hook.component, static_cast<oroforge_rt_place>(place), realTime);
@@ -105,7 +116,7 @@ std::string thisProgram() {
 std::string executeAnew(char** words) {
     const std::string library = libraryFile();
     if (access(library.c_str(), R_OK) != 0)
-        return "--rt-check needs the library '" + library + "': " + std::strerror(errno) +
+        return std::string(option()) + " needs the library '" + library + "': " + std::strerror(errno) +
                "; builds with a sanitizer do not have it";
     const char* const before = std::getenv("LD_PRELOAD");
     const std::string others = before ? before : "";
@@ -113,7 +124,7 @@ std::string executeAnew(char** words) {
     setenv("LD_PRELOAD", (others.empty() ? library : library + ":" + others).c_str(), 1);
     const std::string program = thisProgram();
     execv(program.c_str(), words);
-    return "--rt-check cannot execute '" + program + "' anew: " + std::strerror(errno);
+    return std::string(option()) + " cannot execute '" + program + "' anew: " + std::strerror(errno);
 }
 
 /** Restores the environment, so that programs started by components are not checked. */
@@ -135,13 +146,22 @@ struct Fault {
     const char* verb;
 };
 
+Fault describeForReplay(oroforge_rt_fault fault) {
+    if (fault == OROFORGE_RT_CLOCK) return {"RPL008", "reads a clock of the computer"};
+    if (fault == OROFORGE_RT_THREAD) return {"RPL010", "begins a thread"};
+    return {"RPL009", "waits"};
+}
+
 Fault describe(oroforge_rt_fault fault) {
+    if (checkedFor == CheckedFor::Replay) return describeForReplay(fault);
     switch (fault) {
         case OROFORGE_RT_ALLOCATION: return {"RTC001", "allocates memory"};
         case OROFORGE_RT_RELEASE: return {"RTC002", "frees memory"};
         case OROFORGE_RT_LOCK: return {"RTC003", "takes a lock"};
         case OROFORGE_RT_WAIT: return {"RTC004", "waits"};
+        case OROFORGE_RT_THREAD:
         case OROFORGE_RT_SYSTEM_CALL: return {"RTC005", "makes a system call that may block"};
+        case OROFORGE_RT_CLOCK:
         case OROFORGE_RT_STREAM: break;
     }
     return {"RTC006", "uses a stream of the C library"};
@@ -219,7 +239,8 @@ void addPlaces(Findings& found) {
 
 }  // namespace
 
-std::string startRealTimeCheck(char** words) {
+std::string startRealTimeCheck(char** words, CheckedFor what) {
+    checkedFor = what;
     const char* const anew = std::getenv(kExecutedAnew);
     if (!anew) return executeAnew(words);
     restoreEnvironment(anew + 1);
@@ -227,10 +248,14 @@ std::string startRealTimeCheck(char** words) {
     find(endWatch, "oroforge_rt_check_end");
     find(findings, "oroforge_rt_check_findings");
     find(describeScripts, "oroforge_rt_check_scripts");
-    if (!beginWatch || !endWatch || !findings || !describeScripts)
-        return "--rt-check: the system did not load '" + libraryFile() +
+    decltype(&oroforge_rt_check_only) countOnly = nullptr;
+    find(countOnly, "oroforge_rt_check_only");
+    if (!beginWatch || !endWatch || !findings || !describeScripts || !countOnly)
+        return std::string(option()) + ": the system did not load '" + libraryFile() +
                "' before the program, as it refuses for programs with capabilities or another user's rights; run "
                "without these, as root, or with a limit for real-time priorities instead";
+    if (what == CheckedFor::Replay)
+        countOnly(1U << OROFORGE_RT_WAIT | 1U << OROFORGE_RT_CLOCK | 1U << OROFORGE_RT_THREAD);
     RTT::internal::ScriptPlace::wantExact();
     describeScripts(&RTT::internal::ScriptPlace::describe);
     HookInProgress::setWatch(&kWatch);
@@ -244,6 +269,9 @@ bool reportRealTimeCheck(ProgramReport& report) {
     Findings calls;
     const oroforge_rt_totals totals = findings(&add, &calls);
     addPlaces(calls);
+    // What the runtime does by itself, as for a line of the log, changes nothing.
+    if (checkedFor == CheckedFor::Replay)
+        calls.erase(std::remove_if(calls.begin(), calls.end(), &isOfRuntime), calls.end());
     const std::vector<oroforge::diag::Diagnostic> found = arranged(calls);
     oroforge::diag::SourceCache sources;
     for (const oroforge::diag::Diagnostic& finding : found) {
@@ -251,19 +279,19 @@ bool reportRealTimeCheck(ProgramReport& report) {
         report.add(finding);
     }
     if (std::any_of(found.begin(), found.end(), &lacksLines))
-        std::cerr << program
-                  << ": note: --rt-check knows no lines for some of these: they are shown for libraries that are built "
+        std::cerr << program << ": note: " << option()
+                  << " knows no lines for some of these: they are shown for libraries that are built "
                      "with debug information (-g, or CMAKE_BUILD_TYPE RelWithDebInfo), if the program addr2line of "
                      "binutils is there\n";
     if (totals.lost != 0)
-        std::cerr << program << ": warning: --rt-check had no room for "
+        std::cerr << program << ": warning: " << option() << " had no room for "
                   << times(totals.lost, "more call", "more calls") << "\n";
     const std::string executed = executions(totals);
-    if (executed.empty())
+    if (executed.empty() && checkedFor == CheckedFor::RealTime)
         std::cerr << program << ": warning: --rt-check saw no updateHook() of a component with a real-time scheduler\n";
     else
-        std::cerr << program << ": --rt-check: " << times(found.size(), "finding", "findings") << " in " << executed
-                  << "\n";
+        std::cerr << program << ": " << option() << ": " << times(found.size(), "finding", "findings") << " in "
+                  << executed << "\n";
     return found.empty();
 }
 

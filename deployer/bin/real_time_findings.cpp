@@ -109,6 +109,11 @@ std::vector<diag::Diagnostic> arranged(const std::vector<RealTimeFinding>& findi
     return result;
 }
 
+bool isOfRuntime(const RealTimeFinding& finding) {
+    const auto first = std::find_if_not(finding.frames.begin(), finding.frames.end(), isStandard);
+    return first != finding.frames.end() && isRuntime(*first);
+}
+
 bool lacksLines(const diag::Diagnostic& finding) { return finding.where.line == 0; }
 
 }  // namespace OCL::deploy

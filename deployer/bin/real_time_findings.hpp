@@ -28,6 +28,9 @@ struct RealTimeFinding {
  */
 std::vector<oroforge::diag::Diagnostic> arranged(const std::vector<RealTimeFinding>& findings);
 
+/** True for a call that the runtime made, not the component. */
+bool isOfRuntime(const RealTimeFinding& finding);
+
 /** True if the line of the finding is unknown. */
 bool lacksLines(const oroforge::diag::Diagnostic& finding);
 

@@ -3,6 +3,7 @@
 #include "replay.hpp"
 
 #include "../deployment/replaced.hpp"
+#include "../deployment/report.hpp"
 #include "../schedule/schedule.hpp"
 #include "../schedule/stand_ins.hpp"
 #include "program_report.hpp"
@@ -40,14 +41,14 @@ std::unique_ptr<replay::Player> openRecording(const std::string& file, bool tole
                              "orocos/" OROCOS_TARGET_NAME "/ocl/liborocos-ocl-replay-" OROCOS_TARGET_NAME ".so";
     std::error_code none;
     if (!std::filesystem::exists(name, none)) {
-        error = "error: [RPL001] this toolchain has no part that reads recordings, " + name +
-                "; it is made if libzstd-dev or liblz4-dev is installed when the toolchain is built";
+        error = "--replay: error: [" + std::string("RPL001") + "] this toolchain has no part that reads recordings, " +
+                name + "; it is made if libzstd-dev or liblz4-dev is installed when the toolchain is built";
         return nullptr;
     }
     SharedLibrary module(name, SharedLibrary::Global, error);
     auto* const open = module ? module.function<decltype(oroOpenRecording)>("oroOpenRecording") : nullptr;
     if (!open) {
-        error = "error: [RPL001] the part that reads recordings cannot be used: " +
+        error = "--replay: error: [" + std::string("RPL001") + "] the part that reads recordings cannot be used: " +
                 (module ? name + " is of another version" : error);
         return nullptr;
     }
@@ -116,6 +117,23 @@ std::string seconds(double value) {
     return text.str();
 }
 
+/** Reports a text with its place and its code: "run.mcap: byte 8: error: [MCP003] …". */
+void reportLine(const std::string& line) {
+    const std::string mark = ": error: [";
+    const std::size_t at = line.find(mark), end = line.find("] ", at);
+    diag::Diagnostic made;
+    made.severity = diag::Severity::Error;
+    made.message = line;
+    if (at != std::string::npos && end != std::string::npos) {
+        made.where.file = line.substr(0, at);
+        made.code = line.substr(at + mark.size(), end - at - mark.size());
+        made.message = line.substr(end + 2);
+    }
+    diag::Sink sink;
+    sink.add(std::move(made));
+    deploy::report(sink);
+}
+
 }  // namespace
 
 void standStill() {
@@ -132,9 +150,10 @@ struct Replay::Impl {
     std::optional<Recorded> recorded;
     std::optional<schedule::Schedule> schedule;
 
-    /** A text that has a place and a code of its own. */
-    void error(const std::string& text) const { std::cerr << text << std::endl; }
+    void error(const std::string& file, const char* code, const std::string& text) const;
     void summarize(const schedule::Schedule::Outcome& outcome, double passed) const;
+    /** For --replay-check: what the schedule has seen of other threads. True if there is nothing. */
+    bool reportThreads() const;
 };
 
 Replay::Replay(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -145,7 +164,7 @@ std::unique_ptr<Replay> Replay::open(const Options& options, ProgramReport& repo
     std::string error;
     impl->player = openRecording(options.replayFile, options.tolerate, error);
     if (!impl->player) {
-        impl->error(error);
+        reportLine(error);
         return nullptr;
     }
     std::error_code none;
@@ -166,7 +185,7 @@ bool Replay::run(DeploymentComponent& deployer, RTT::os::SignalCatcher& ending) 
         std::string error;
         record.emplace(impl_->options.recordFile, deployer, *impl_->schedule, error);
         if (!error.empty()) {
-            impl_->error(error);
+            impl_->error(impl_->options.recordFile, "RPL007", error);
             return false;
         }
     }
@@ -175,10 +194,31 @@ bool Replay::run(DeploymentComponent& deployer, RTT::os::SignalCatcher& ending) 
     const schedule::Schedule::Outcome outcome = impl_->schedule->run(source, [&ending] { return ending.caught(); });
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
     const bool recorded = !record || record->finish();
-    if (!outcome.error.empty()) impl_->error(outcome.error);
-    for (const std::string& problem : impl_->player->problems()) impl_->error(problem);
+    if (!outcome.error.empty()) impl_->error(impl_->options.replayFile, "RPL002", outcome.error);
+    for (const std::string& problem : impl_->player->problems()) reportLine(problem);
     impl_->summarize(outcome, passed.count());
-    return outcome.error.empty() && recorded;
+    const bool exact = !impl_->options.replayCheck || impl_->reportThreads();
+    return outcome.error.empty() && recorded && exact;
+}
+
+void Replay::Impl::error(const std::string& file, const char* code, const std::string& text) const {
+    diag::Sink sink;
+    diag::Location where;
+    where.file = file;
+    sink.error(where, code, text);
+    deploy::report(sink);
+}
+
+bool Replay::Impl::reportThreads() const {
+    diag::Sink sink;
+    for (const std::string& component : schedule->ownThreads())
+        sink.error({}, "RPL003", "component '" + component + "' keeps a thread of its own");
+    for (const auto& [component, count] : schedule->triggeredByOthers())
+        sink.error({}, "RPL011",
+                   "component '" + component + "' was triggered by other threads, " + std::to_string(count) +
+                       (count == 1 ? " time" : " times") + ": at which time of the recording is not the same again");
+    deploy::report(sink);
+    return !sink.hadErrors();
 }
 
 void Replay::Impl::summarize(const schedule::Schedule::Outcome& outcome, double passed) const {

@@ -42,7 +42,7 @@ ReplayRecord::ReplayRecord(const std::string& file, DeploymentComponent& deploye
     (void)loader->importInstalled("ocl", why);
     recorder_ = loader->loadComponent(kName, "OCL::McapReporting", why);
     if (!recorder_) {
-        error = file + ": error: [RPL007] --record cannot record: " + why;
+        error = "--record cannot record: " + why;
         return;
     }
     set<std::string>(*recorder_, "ReportFile", file);
@@ -58,8 +58,7 @@ ReplayRecord::ReplayRecord(const std::string& file, DeploymentComponent& deploye
         for (const std::string& port : ports) (void)report(name, port);
     }
     schedule.executeLast(*recorder_);
-    if (!recorder_->configure() || !recorder_->start())
-        error = file + ": error: [RPL007] --record cannot record; the log says why";
+    if (!recorder_->configure() || !recorder_->start()) error = "--record cannot record; the log says why";
 }
 
 ReplayRecord::~ReplayRecord() {

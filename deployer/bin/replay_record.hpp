@@ -18,7 +18,7 @@ namespace OCL::deploy {
     depends on the computer or its clock. */
 class ReplayRecord {
 public:
-    /** Begins the file anew; `error`, with a code, if that is impossible. */
+    /** Begins the file anew; `error` if that is impossible (RPL007). */
     ReplayRecord(const std::string& file, DeploymentComponent& deployer, schedule::Schedule& schedule,
                  std::string& error);
     ~ReplayRecord();

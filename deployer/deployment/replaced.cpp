@@ -96,7 +96,9 @@ void report(const ComponentPlan& component, const std::string& port, const std::
         "port '" + component.name.value + "." + port + "' of the recording cannot be replayed: " + problem;
     for (const PortPlan& connected : component.ports)
         if (connected.port.value == port) return (void)sink.error(connected.port.where, "RPL006", text);
-    RTT::log(RTT::Warning) << "warning: [RPL006] " << text << RTT::endlog();
+    RTT::log(RTT::Warning) << "warning: ["
+                           << "RPL006"
+                           << "] " << text << RTT::endlog();
 }
 
 }  // namespace

@@ -13,14 +13,16 @@
 extern "C" {
 #endif
 
-/* Faults of a real-time component. */
+/* Faults of a real-time component, and of one that is to do the same in each replay. */
 enum oroforge_rt_fault {
     OROFORGE_RT_ALLOCATION = 1,
     OROFORGE_RT_RELEASE = 2,
     OROFORGE_RT_LOCK = 3,
     OROFORGE_RT_WAIT = 4,
     OROFORGE_RT_SYSTEM_CALL = 5,
-    OROFORGE_RT_STREAM = 6
+    OROFORGE_RT_STREAM = 6,
+    OROFORGE_RT_THREAD = 7, /* a system call that may block, too */
+    OROFORGE_RT_CLOCK = 8
 };
 
 /* The kinds of user code that a component's thread executes. */
@@ -30,6 +32,9 @@ enum oroforge_rt_place {
     OROFORGE_RT_CALLBACK,  /* a callback of a port */
     OROFORGE_RT_OPERATION, /* an operation that another component has called or sent */
     OROFORGE_RT_SCRIPT,    /* a step of a script or of another function */
+    OROFORGE_RT_CONFIGURE, /* configureHook() */
+    OROFORGE_RT_START,     /* startHook() */
+    OROFORGE_RT_CONSTRUCTOR,
     OROFORGE_RT_PLACES
 };
 
@@ -52,6 +57,9 @@ void oroforge_rt_check_scripts(oroforge_rt_script describe);
 /* Called when the thread begins and ends such code. They nest; within watched code everything is watched. */
 void oroforge_rt_check_begin(const char* component, enum oroforge_rt_place place, int real_time);
 void oroforge_rt_check_end(void);
+
+/* From now on only these faults are counted: bits, 1 << OROFORGE_RT_LOCK and so on. At first, all but the clock. */
+void oroforge_rt_check_only(unsigned faults);
 
 struct oroforge_rt_totals {
     unsigned long executions[OROFORGE_RT_PLACES]; /* executions of watched code */

@@ -145,7 +145,7 @@ OROFORGE_WATCH_VERSION(SYSTEM_CALL, "GLIBC_2.15", int, posix_spawn,
     (pid_t* p, const char* path, const posix_spawn_file_actions_t* f, const posix_spawnattr_t* a, char* const* words, char* const* environment), (p, path, f, a, words, environment), 1)
 OROFORGE_WATCH_VERSION(SYSTEM_CALL, "GLIBC_2.15", int, posix_spawnp,
     (pid_t* p, const char* path, const posix_spawn_file_actions_t* f, const posix_spawnattr_t* a, char* const* words, char* const* environment), (p, path, f, a, words, environment), 1)
-OROFORGE_WATCH(SYSTEM_CALL, int, pthread_create, (pthread_t* t, const pthread_attr_t* a, void* (*entry)(void*), void* argument), (t, a, entry, argument))
+OROFORGE_WATCH(THREAD, int, pthread_create, (pthread_t* t, const pthread_attr_t* a, void* (*entry)(void*), void* argument), (t, a, entry, argument))
 
 /* Called instead where a package is built with _FILE_OFFSET_BITS=64, and by the C++ library. */
 WATCH_FD(ssize_t, sendfile64, (int out, int fd, off64_t* at, size_t size), (out, fd, at, size))

@@ -45,6 +45,7 @@ __thread Hooks hooks __attribute__((tls_model("initial-exec")));
 
 std::atomic<unsigned long> executions[OROFORGE_RT_PLACES];
 std::atomic<unsigned long> callsLost{0};
+std::atomic<unsigned> counted{~(1U << OROFORGE_RT_CLOCK)};
 std::atomic<oroforge_rt_script> scripts{nullptr};
 
 // The first call of backtrace() loads a library.
@@ -168,6 +169,7 @@ using namespace oroforge::rt_check;
 extern "C" {
 
 void oroforge_rt_note(oroforge_rt_fault fault, const char* function, const void* caller) {
+    if (!(counted.load(std::memory_order_relaxed) & 1U << fault)) return;
     const int error = errno;
     const Unwatched unwatched;
     note(fault, function, caller);
@@ -213,6 +215,8 @@ OROFORGE_IN_FRONT void oroforge_rt_check_end() {
     const unsigned ended = std::min(--hooks.count, kMaxNested - 1);
     if (hooks.nested[ended].watched) --oroforge_rt_watched;
 }
+
+OROFORGE_IN_FRONT void oroforge_rt_check_only(unsigned faults) { counted.store(faults, std::memory_order_relaxed); }
 
 OROFORGE_IN_FRONT void oroforge_rt_check_scripts(oroforge_rt_script describe) {
     scripts.store(describe, std::memory_order_release);

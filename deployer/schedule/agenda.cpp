@@ -45,7 +45,11 @@ unsigned Agenda::orderOf(const std::string& component) {
 boost::shared_ptr<RTT::base::ActivityInterface> Agenda::replace(boost::shared_ptr<RTT::base::ActivityInterface> given,
                                                                 const std::string& component) {
     const std::optional<Timing> timing = timingOf(given.get(), component);
-    if (!timing) return given;
+    if (!timing) {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        if (hasOwnThread(*given)) ownThreads_.insert(component);
+        return given;
+    }
     const unsigned order = orderOf(component);
     if (timing->kind == Kind::FileEvents)
         return boost::shared_ptr<RTT::base::ActivityInterface>(
@@ -163,7 +167,9 @@ void Agenda::warnIfStuck() {
     if (idleSince_ == 0) idleSince_ = now;
     if (isTold_ || now - idleSince_ < kPatience) return;
     isTold_ = true;
-    RTT::log(RTT::Error) << "error: [RPL005] component '" << lastExecuted()
+    RTT::log(RTT::Error) << "error: ["
+                         << "RPL005"
+                         << "] component '" << lastExecuted()
                          << "', or a script, has been waiting for 5 s for something that another component does later; "
                             "simulated time stands meanwhile"
                          << RTT::endlog();
@@ -195,6 +201,11 @@ void Agenda::countStrangers() {
 Agenda::Strangers Agenda::strangers() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     return strangers_;
+}
+
+std::set<std::string> Agenda::ownThreads() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return ownThreads_;
 }
 
 std::string Agenda::lastExecuted() const {

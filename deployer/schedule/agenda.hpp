@@ -61,6 +61,8 @@ public:
     /** From now on triggers of other threads are counted: a deployment is complete, and its thread executes. */
     void countStrangers();
     Strangers strangers() const;
+    /** The components that keep a thread of their own. */
+    std::set<std::string> ownThreads() const;
     /** The name of the component that was executed last. */
     std::string lastExecuted() const;
     unsigned long executions() const { return executions_; }
@@ -98,6 +100,7 @@ private:
     std::deque<ScheduledActivity*> triggered_, last_, foreign_;
     std::map<std::string, unsigned> orders_;  // of the components, in the order of their creation
     Strangers strangers_;
+    std::set<std::string> ownThreads_;
     bool countsStrangers_ = false;
     std::string lastExecuted_;
     const int thread_;

@@ -41,22 +41,29 @@ std::optional<Kind> kindOf(const ActivityInterface& given) {
 
 }  // namespace
 
+bool hasOwnThread(const ActivityInterface& given) {
+    return !dynamic_cast<const RTT::extras::SequentialActivity*>(&given) &&
+           !dynamic_cast<const RTT::extras::SlaveActivity*>(&given) && !dynamic_cast<const ScheduledActivity*>(&given);
+}
+
 std::optional<Timing> timingOf(ActivityInterface* given, const std::string& component) {
     if (!given || is<RTT::internal::DeferredActivity>(*given)) return Timing();
-    const bool isBorrowed = dynamic_cast<RTT::extras::SequentialActivity*>(given) ||
-                            dynamic_cast<RTT::extras::SlaveActivity*>(given) || dynamic_cast<ScheduledActivity*>(given);
-    if (isBorrowed) return std::nullopt;
+    if (!hasOwnThread(*given)) return std::nullopt;
     const std::optional<Kind> kind = kindOf(*given);
     if (!kind) {
         RTT::log(RTT::Warning)
-            << "warning: [RPL003] component '" << component
+            << "warning: ["
+            << "RPL003"
+            << "] component '" << component
             << "' has an activity of a class of its own, which a replay cannot execute: it keeps its "
                "thread, and the replay is not exact"
             << RTT::endlog();
         return std::nullopt;
     }
     if (*kind == Kind::FileEvents)
-        RTT::log(RTT::Warning) << "warning: [RPL004] component '" << component
+        RTT::log(RTT::Warning) << "warning: ["
+                               << "RPL004"
+                               << "] component '" << component
                                << "' waits for file descriptors, none of which is ever ready in a replay"
                                << RTT::endlog();
     Timing timing;

@@ -14,6 +14,9 @@ namespace OCL::schedule {
     the thread that triggers it, or it is of an unknown class, which is reported (RPL003). */
 std::optional<Timing> timingOf(RTT::base::ActivityInterface* given, const std::string& component);
 
+/** True for one that is not executed in the thread that triggers it. */
+bool hasOwnThread(const RTT::base::ActivityInterface& given);
+
 }  // namespace OCL::schedule
 
 #endif

@@ -98,7 +98,7 @@ std::string Schedule::endless() {
     for (unsigned i = 0; i != kRounds && agenda_->executeTriggered(); ++i) names.insert(agenda_->lastExecuted());
     std::string list;
     for (const std::string& name : names) list += (list.empty() ? "'" : ", '") + name + "'";
-    return "error: [RPL002] the replay ends: " + std::string(names.size() == 1 ? "component " : "components ") + list +
+    return "the replay ends: " + std::string(names.size() == 1 ? "component " : "components ") + list +
            (names.size() == 1 ? " triggers itself" : " trigger each other") +
            " again and again, and time cannot go on; give " + (names.size() == 1 ? "it" : "one of them") + " a period";
 }
@@ -108,6 +108,7 @@ void Schedule::executeLast(RTT::TaskContext& component) {
         agenda_->executeLast(*activity);
 }
 
+std::set<std::string> Schedule::ownThreads() const { return agenda_->ownThreads(); }
 std::map<std::string, unsigned long> Schedule::triggeredByOthers() const { return agenda_->strangers(); }
 
 }  // namespace OCL::schedule

@@ -9,6 +9,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 
 namespace RTT {
@@ -46,7 +47,7 @@ public:
         bool isComplete = false;  ///< the source has ended, and everything that was triggered is done
         RTT::nsecs simulated = 0;
         unsigned long executions = 0;
-        std::string error;  ///< with a code
+        std::string error;  ///< RPL002: it did not come to an end at one time
     };
     /** How fast time passes: 2 is twice as fast as real time; 0, the default, as fast as possible. */
     void setSpeed(double speed) { speed_ = speed; }
@@ -59,6 +60,8 @@ public:
     void executeLast(RTT::TaskContext& component);
     /** The components that other threads have triggered during run(), and how often. */
     std::map<std::string, unsigned long> triggeredByOthers() const;
+    /** The components that keep a thread of their own: the class of their activity is unknown to the runtime. */
+    std::set<std::string> ownThreads() const;
 
     /** So many executions at one time are without end. */
     static constexpr unsigned long kMostAtOnce = 100000;

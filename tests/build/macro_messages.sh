@@ -45,7 +45,7 @@ refused 'orocos_configure_executable(orocos::orocos-rtt): this target is importe
 refused 'orocos_use_package(): no package given' 'orocos_use_package(REQUIRED)'
 refused "package rtt_scripting not found: no pkg-config module named any of: rtt_scripting-gnulinux, rtt_scripting (searched CMAKE_PREFIX_PATH, PKG_CONFIG_PATH and the toolchain); did you mean 'rtt-scripting'?" \
   'orocos_use_package(rtt_scripting REQUIRED)'
-refused 'package nowhere not found: no pkg-config module named any of: nowhere-gnulinux (searched CMAKE_PREFIX_PATH, PKG_CONFIG_PATH and the toolchain); packages for gnulinux: fbsched, ocl, ocl-common, ocl-deployment, ocl-deployment-corba, ocl-helloworld, ocl-logging, ocl-lua, ocl-lua-tlsf, ocl-reporting, ocl-reporting-mcap, ocl-reporting-netcdf, and others package elsewhere not found' \
+refused 'package nowhere not found: no pkg-config module named any of: nowhere-gnulinux (searched CMAKE_PREFIX_PATH, PKG_CONFIG_PATH and the toolchain); packages for gnulinux: fbsched, ocl, ocl-common, ocl-deployment, ocl-deployment-corba, ocl-helloworld, ocl-logging, ocl-lua, ocl-lua-tlsf, ocl-replay, ocl-reporting, ocl-reporting-mcap, and others package elsewhere not found' \
   'orocos_find_package(nowhere rtt-typekit elsewhere OROCOS_ONLY REQUIRED)'
 warned 'orocos_use_package(): package nowhere not found' 'orocos_use_package(nowhere VERBOSE)'
 warned "found [] []" 'orocos_use_package(nowhere)
@@ -114,7 +114,7 @@ add_subdirectory(sub)'
 
 refused "no such plugins for gnulinux: rtt-transport-ros, rtt-elsewhere (searched: $prefix/lib/orocos/gnulinux/plugins, " \
   'find_package(OROCOS-RTT REQUIRED rtt-scripting rtt-transport-ros rtt-elsewhere)'
-refused "no such parts for gnulinux: ocl-vision; $prefix has: deployment-corba, deployment, taskbrowser, common, helloworld, logging, lua, lua-tlsf, reporting, reporting-mcap, reporting-netcdf, timer" \
+refused "no such parts for gnulinux: ocl-vision; $prefix has: deployment-corba, deployment, taskbrowser, common, helloworld, logging, lua, lua-tlsf, replay, reporting, reporting-mcap, reporting-netcdf, timer" \
   'find_package(OROCOS-OCL REQUIRED COMPONENTS deployment ocl-vision)'
 # The environment goes first, and says so.
 calls ''

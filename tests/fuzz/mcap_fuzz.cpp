@@ -3,9 +3,10 @@
 // Any bytes are read as a recording, from the beginning and by their index; what is salvaged of them is whole.
 #include "fuzzing.hpp"
 
+#include <reporting/mcap/contents.hpp>
+#include <reporting/mcap/in_order.hpp>
 #include <reporting/mcap/salvage.hpp>
 #include <reporting/mcap/scan.hpp>
-#include <reporting/mcap/summary.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -36,18 +37,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const Scanned scanned = scan(source, found, limits);
     require(scanned.whole <= size, "what is whole lies within the file");
     require(scanned.problems == found.problems, "problems are counted");
-    Summary summary;
-    if (!readSummary(source, summary, limits)) {
-        Selection selection;
-        selection.end = std::uint64_t(1) << 62;
-        std::uint64_t before = 0;
-        readMessages(
-            source, summary, selection,
-            [&](const Message& message) {
-                require(message.logTime >= before, "messages are in the order of their times");
-                before = message.logTime;
-            },
-            [](const Problem&) {}, limits);
+    Contents contents = readContents(source, [](const Problem&) {});
+    Selection selection;
+    selection.end = std::uint64_t(1) << 62;
+    InOrder messages(
+        source, contents.pieces, contents.ids(), selection, [](const Problem&) {}, limits);
+    std::uint64_t before = 0;
+    while (const Message* const message = messages.next()) {
+        // An index may have wrong times.
+        require(contents.hasIndex || message->logTime >= before, "messages are in the order of their times");
+        before = message->logTime;
     }
     MemorySink sink;
     const Salvaged salvaged = salvage(source, sink);

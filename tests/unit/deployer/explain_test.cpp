@@ -135,7 +135,7 @@ private:
 };
 
 TEST(ExplanationsOfTheDeployer, AreThereForEveryCodeAndForNoOther) {
-    expectExplained(explanations(), {"deployer", "runtime"}, "CPF|DEP|LIV|MCP|OPS|RTC|WEB|XML");
+    expectExplained(explanations(), {"deployer", "runtime"}, "CPF|DEP|LIV|MCP|OPS|RPL|RTC|WEB|XML");
 }
 
 TEST(ExplanationsOfTheDeployer, HaveATitleAndAParagraph) {

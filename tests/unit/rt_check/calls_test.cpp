@@ -143,7 +143,7 @@ TEST(Waits, ForThreadsAreCounted) {
     EXPECT_EQ("", counted([] { EXPECT_EQ(-1, sem_trywait(&semaphore)); }));
     static pthread_t thread;
     const auto nothing = [](void* value) { return value; };
-    EXPECT_EQ("RTC004 pthread_join 1, RTC005 pthread_create 1", counted([&] {
+    EXPECT_EQ("RTC004 pthread_join 1, RTC007 pthread_create 1", counted([&] {
                   void* result = nullptr;
                   EXPECT_EQ(0, pthread_create(&thread, nullptr, nothing, &mutex));
                   EXPECT_EQ(0, pthread_join(thread, &result));

@@ -94,6 +94,28 @@ TEST_F(ReplayFaults, AComponentThatTriggersItselfForEver) {
     EXPECT_THAT(outcome.err, HasSubstr("error: [RPL002] the replay ends: component 'restless' triggers itself"));
 }
 
+#ifdef HAS_RT_CHECK
+TEST_F(ReplayFaults, WhatIsNotTheSameInEachReplayIsReportedIfAsked) {
+    directory_.write("app.xml", deployment(component("worldly", "replaytest::Worldly") +
+                                           component("messenger", "replaytest::Messenger")));
+    EXPECT_EQ(replay({"-s", "app.xml"}).status, 0);
+    const Outcome outcome = replay({"--replay-check", "-s", "app.xml"});
+    EXPECT_EQ(outcome.status, 255);
+    EXPECT_THAT(outcome.err, HasSubstr("error: [RPL008] component 'worldly' reads a clock of the computer in "
+                                       "updateHook(): clock_gettime(), 2 times"));
+    EXPECT_THAT(outcome.err, HasSubstr("[RPL009] component 'worldly' waits in updateHook(): nanosleep(), 2 times"));
+    EXPECT_THAT(outcome.err, HasSubstr("[RPL010] this line also begins a thread: pthread_create(), 2 times"));
+    EXPECT_THAT(outcome.err, HasSubstr("[RPL011] component 'messenger' was triggered by other threads, 2 times"));
+    EXPECT_THAT(outcome.err, HasSubstr("control.cpp:"));
+}
+
+TEST_F(ReplayFaults, WhatIsTheSameInEachReplayIsNotReported) {
+    const Outcome outcome = replay({"--replay-check", "--record", "one.mcap", "-s", "app.xml"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("--replay-check: 0 findings in "));
+}
+#endif
+
 TEST_F(ReplayFaults, TheRecordingItselfIsNotWrittenOver) {
     const std::string before = bytes("run.mcap");
     const Outcome outcome = replay({"--record", "./run.mcap", "-s", "app.xml"});

@@ -100,7 +100,6 @@ TEST_F(ScheduleTest, ComponentsThatTriggerEachOtherForEverAreNamed) {
     times_.until(2);
     const Schedule::Outcome outcome = run();
     EXPECT_FALSE(outcome.isComplete);
-    EXPECT_THAT(outcome.error, HasSubstr("RPL002"));
     EXPECT_THAT(outcome.error, HasSubstr("'ping', 'pong' trigger each other"));
     EXPECT_EQ(now(), 1);
     ping.update = pong.update = nullptr;
@@ -109,7 +108,9 @@ TEST_F(ScheduleTest, ComponentsThatTriggerEachOtherForEverAreNamed) {
 TEST_F(ScheduleTest, PeriodChangesWhileItRuns) {
     const auto a = periodic("A", 0.01);
     a->update = [&] {
-        if (now() == 20) EXPECT_TRUE(a->setPeriod(0.005));
+        if (now() == 20) {
+            EXPECT_TRUE(a->setPeriod(0.005));
+        }
     };
     ASSERT_TRUE(a->start());
     times_.until(30);
@@ -121,9 +122,15 @@ TEST_F(ScheduleTest, PeriodChangesWhileItRuns) {
 TEST_F(ScheduleTest, HooksStopAndStartComponents) {
     const auto a = periodic("A", 0.01), b = periodic("B", 0.01);
     a->update = [&] {
-        if (now() == 20) EXPECT_TRUE(b->stop());
-        if (now() == 40) EXPECT_TRUE(b->start());
-        if (now() == 50) EXPECT_TRUE(a->stop());
+        if (now() == 20) {
+            EXPECT_TRUE(b->stop());
+        }
+        if (now() == 40) {
+            EXPECT_TRUE(b->start());
+        }
+        if (now() == 50) {
+            EXPECT_TRUE(a->stop());
+        }
     };
     ASSERT_TRUE(a->start());
     ASSERT_TRUE(b->start());
@@ -212,15 +219,22 @@ TEST_F(ScheduleTest, ThreadsTriggerStartAndStopMeanwhile) {
     ASSERT_TRUE(b.setActivity(new RTT::Activity(ORO_SCHED_OTHER, 0, 0.001)));
     ASSERT_TRUE(a.start());
     std::atomic<bool> ends{false};
+    std::atomic<unsigned> triggers{0}, starts{0};
     std::thread trigger([&] {
-        while (!ends) a.trigger();
+        for (; !ends; ++triggers) a.trigger();
     });
     std::thread starter([&] {
-        while (!ends) {
+        for (; !ends; ++starts) {
             (void)b.start();
             (void)b.stop();
         }
     });
+    // Both threads do something during the run.
+    for (const long time : {1, 250, 499})
+        times_.at(time, [&] {
+            const unsigned triggersNow = triggers, startsNow = starts;
+            while (triggers - triggersNow < 20 || starts - startsNow < 20) std::this_thread::yield();
+        });
     times_.until(500);
     EXPECT_TRUE(run().isComplete);
     ends = true;

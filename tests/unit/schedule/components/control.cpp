@@ -85,10 +85,24 @@ private:
         if (++count_ > 2) return;
         last_ = std::chrono::system_clock::now().time_since_epoch().count();
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        std::thread([this] { trigger(); }).join();
+        std::thread([] {}).join();
     }
     int count_ = 0;
     std::atomic<long long> last_{0};
+};
+
+/** Is triggered by a thread of its own. */
+class Messenger : public RTT::TaskContext {
+public:
+    explicit Messenger(const std::string& name) : RTT::TaskContext(name) {}
+    ~Messenger() override { stopForGood(); }
+
+private:
+    void updateHook() override {
+        if (++count_ > 2) return;
+        std::thread([this] { trigger(); }).join();
+    }
+    int count_ = 0;
 };
 
 }  // namespace replaytest
@@ -98,3 +112,4 @@ ORO_LIST_COMPONENT_TYPE(replaytest::Viewer)
 ORO_LIST_COMPONENT_TYPE(replaytest::Ticker)
 ORO_LIST_COMPONENT_TYPE(replaytest::Restless)
 ORO_LIST_COMPONENT_TYPE(replaytest::Worldly)
+ORO_LIST_COMPONENT_TYPE(replaytest::Messenger)
