@@ -24,7 +24,7 @@ public:
           known_(more_.channels) {
         for (const auto& [id, channel] : summary.channels) known_.insert(id);
         // Without them in the index, those of other chunks are unknown: any may be there.
-        for (std::uint16_t id = 0xffff; summary.channels.empty() && id != 0; --id) known_.insert(id);
+        if (summary.channels.empty()) known_.insertAll();
         for (const std::vector<ChunkIndex>* const chunks : {&summary.chunks, &std::as_const(more_.chunks)})
             for (const ChunkIndex& index : *chunks)
                 if (isWanted(index)) waiting_.push_back(&index);
@@ -102,7 +102,7 @@ private:
         if (!source_.read(one.offset + kRecordHead, content_.data(), content_.size()) ||
             !get({content_.data(), content_.size()}, message))
             return damaged({"MCP010", one.offset, "the file cannot be read here"});
-        if (known_.count(message.channel) == 0)
+        if (!known_.has(message.channel))
             return damaged(
                 {"MCP007", one.offset,
                  "a message belongs to channel " + std::to_string(message.channel) + ", which no record describes"});
@@ -137,7 +137,7 @@ private:
     const Selection& selection_;
     const Limits limits_;
     Unindexed more_;
-    std::set<std::uint16_t> known_;
+    ChannelIds known_;
     Bytes content_;  // of a message in no chunk
     std::vector<const ChunkIndex*> waiting_;
     std::list<Open> open_;
