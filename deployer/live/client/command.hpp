@@ -26,7 +26,8 @@ enum class Names {
     Level,
     Format,
     Compression,
-    File
+    File,
+    Recording
 };
 
 struct Argument {
@@ -58,6 +59,7 @@ struct Command {
     std::vector<Option> options;
     std::vector<Example> examples;
     void (*run)(Session& session);
+    const char* program = nullptr;  ///< another program does it, and reads its words itself
 };
 
 /** All commands, in the order of the help. */
@@ -93,6 +95,7 @@ void showLog(Session& session);
 void showGraph(Session& session);
 void showTop(Session& session);
 void runConsole(Session& session);
+void readRecording(Session& session);
 void writeCompletion(Session& session);
 void writeManual(Session& session);
 

@@ -24,13 +24,9 @@ struct InOrder::Open : Visitor {
     std::size_t at = 0;
 };
 
-InOrder::InOrder(Source& source, const std::vector<Piece>& pieces, std::set<std::uint16_t> known, Selection selection,
+InOrder::InOrder(Source& source, const std::vector<Piece>& pieces, const ChannelIds& known, Selection selection,
                  Damaged damaged, const Limits& limits)
-    : source_(source),
-      known_(std::move(known)),
-      selection_(std::move(selection)),
-      damaged_(std::move(damaged)),
-      limits_(limits) {
+    : source_(source), known_(known), selection_(std::move(selection)), damaged_(std::move(damaged)), limits_(limits) {
     for (const Piece& piece : pieces)
         if (isWanted(piece)) waiting_.push_back(piece);
     std::stable_sort(waiting_.begin(), waiting_.end(),
@@ -109,8 +105,8 @@ bool InOrder::read(const Piece& piece, Open& one) {
 void readMessages(Source& source, const Summary& summary, const Selection& selection,
                   const std::function<void(const Message&)>& visit, const std::function<void(const Problem&)>& damaged,
                   const Limits& limits) {
-    Pieces pieces = findPieces(source, summary, damaged);
-    InOrder messages(source, pieces.all, std::move(pieces.channels), selection, damaged, limits);
+    const Pieces pieces = findPieces(source, summary, damaged);
+    InOrder messages(source, pieces.all, pieces.channels, selection, damaged, limits);
     while (const Message* const message = messages.next()) visit(*message);
 }
 

@@ -29,7 +29,7 @@ class InOrder {
 public:
     typedef std::function<void(const Problem&)> Damaged;
 
-    InOrder(Source& source, const std::vector<Piece>& pieces, std::set<std::uint16_t> known, Selection selection,
+    InOrder(Source& source, const std::vector<Piece>& pieces, const ChannelIds& known, Selection selection,
             Damaged damaged, const Limits& limits = {});
     ~InOrder();
 
@@ -45,7 +45,7 @@ private:
     bool read(const Piece& piece, Open& one);
 
     Source& source_;
-    std::set<std::uint16_t> known_;
+    ChannelIds known_;
     const Selection selection_;
     const Damaged damaged_;
     const Limits limits_;

@@ -5,6 +5,7 @@
 #include "format.hpp"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace oroforge::mcap {
@@ -121,7 +122,7 @@ Pieces findPieces(Source& source, const Summary& summary, const std::function<vo
     found.all.erase(std::unique(found.all.begin(), found.all.end(), isSame), found.all.end());
     for (const auto& [id, channel] : summary.channels) found.channels.insert(id);
     // Without them in the index, those of other chunks are unknown: any may be there.
-    for (std::uint16_t id = 0xffff; summary.channels.empty() && id != 0; --id) found.channels.insert(id);
+    if (summary.channels.empty()) found.channels.insertAll();
     return found;
 }
 

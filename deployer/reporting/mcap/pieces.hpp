@@ -4,6 +4,7 @@
 #define OROFORGE_MCAP_PIECES_HPP
 
 #include "problem.hpp"
+#include "scan.hpp"
 #include "source.hpp"
 #include "summary.hpp"
 
@@ -25,7 +26,7 @@ struct Piece {
 /** Where the messages of a file are. */
 struct Pieces {
     std::vector<Piece> all;
-    std::set<std::uint16_t> channels;  ///< those that are known to be described
+    ChannelIds channels;  ///< those that are known to be described
 
     /** Adds a record with a message that is in no chunk; messages behind each other become one piece. */
     void addLoose(std::uint64_t offset, std::uint64_t length, std::uint64_t time, std::uint16_t channel);
