@@ -51,8 +51,8 @@ ComponentPlan planOf(const std::string& name, const std::string& type);
 bool isStandIn(const RTT::TaskContext& component);
 
 /** Makes what stands for the component, as create() does; or itself, if it turns out that it has an input. Reports
-    ports that it lacks: as errors at those in the plan, as a warning in the log otherwise. Null, with the reason, if the
-    name is taken. */
+    ports that it lacks: as errors at those in the plan, as a warning in the log otherwise. Null, with the reason, if
+    the name is taken. */
 RTT::TaskContext* createStandIn(Session& session, ComponentPlan& component, int group, diag::Sink& sink,
                                 std::string& error);
 

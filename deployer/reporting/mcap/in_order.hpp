@@ -13,7 +13,6 @@
 #include <cstdint>
 #include <functional>
 #include <list>
-#include <set>
 #include <vector>
 
 namespace oroforge::mcap {
