@@ -5,7 +5,7 @@
 #include "failure.hpp"
 
 #include <reporting/mcap_file/about.hpp>
-#include <reporting/mcap_file/cdr_text.hpp>
+#include <reporting/mcap_file/log_message.hpp>
 
 #include <algorithm>
 #include <cstring>
@@ -21,31 +21,15 @@ constexpr std::size_t kMostTopics = 65500;
 constexpr unsigned char kSamples = 0x80;
 constexpr std::size_t kHead = 5, kSampleHead = 20;  // of a binary message, and of a sample in it
 
-constexpr const char* kLogSchema = R"(# A line of the log.
-byte DEBUG=10
-byte INFO=20
-byte WARN=30
-byte ERROR=40
-byte FATAL=50
-builtin_interfaces/Time stamp
-uint8 level
-# Where it comes from.
-string name
-string msg
-string file
-string function
-uint32 line
-================================================================================
-MSG: builtin_interfaces/Time
-int32 sec
-uint32 nanosec
-)";
-
-std::uint8_t levelOf(const std::string& name) {
-    static const std::map<std::string, std::uint8_t> kLevels{{"Fatal", 50},   {"Critical", 50}, {"Error", 40},
-                                                             {"Warning", 30}, {"Info", 20},     {"Debug", 10}};
+OCL::recording::LogLevel levelOf(const std::string& name) {
+    using Level = OCL::recording::LogLevel;
+    static const std::map<std::string, Level> kLevels{{"Fatal", Level::Fatal},
+                                                      {"Critical", Level::Fatal},
+                                                      {"Error", Level::Error},
+                                                      {"Warning", Level::Warning},
+                                                      {"Info", Level::Info}};
     const auto found = kLevels.find(name);
-    return found == kLevels.end() ? 10 : found->second;
+    return found == kLevels.end() ? Level::Debug : found->second;
 }
 
 }  // namespace
@@ -140,11 +124,8 @@ void Recorder::endStream(std::uint32_t stream, std::uint64_t next) {
 
 void Recorder::addLine(const Json& line) {
     if (!log_) {
-        mcap::Channel channel;
-        channel.schema = schemaOf("rcl_interfaces/msg/Log", "ros2msg", kLogSchema);
-        channel.topic = "/rosout";
-        channel.encoding = "cdr";
-        channel.metadata["oroforge.kind"] = "log";
+        const mcap::Schema schema = OCL::recording::logSchema(0);
+        mcap::Channel channel = OCL::recording::logChannel(0, schemaOf(schema.name, schema.encoding, schema.data));
         log_ = topicFor(std::move(channel));
         if (!log_) return;
     }
@@ -154,13 +135,10 @@ void Recorder::addLine(const Json& line) {
         log_->sequence += static_cast<std::uint32_t>(lost - lostLines_);
         lostLines_ = lost;
     }
-    constexpr long long kSecond = 1000000000;
-    const long long time = wholeOf(line, "time");
-    OCL::recording::CdrText message;
-    message.number(static_cast<std::uint32_t>(time / kSecond)).number(static_cast<std::uint32_t>(time % kSecond));
-    message.byte(levelOf(textOf(line, "level"))).text(textOf(line, "origin")).text(textOf(line, "text"));
-    message.text("").text("").number(0);
-    add(*log_, static_cast<std::uint64_t>(time), message.bytes().data(), message.bytes().size());
+    const auto time = static_cast<std::uint64_t>(wholeOf(line, "time"));
+    const OCL::recording::CdrText message =
+        OCL::recording::logMessage(time, levelOf(textOf(line, "level")), textOf(line, "origin"), textOf(line, "text"));
+    add(*log_, time, message.bytes().data(), message.bytes().size());
 }
 
 void Recorder::add(Topic& topic, std::uint64_t time, const unsigned char* data, std::size_t size) {

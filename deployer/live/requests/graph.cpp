@@ -16,21 +16,6 @@ namespace OCL::live {
 namespace {
 
 using nlohmann::json;
-using RTT::base::ChannelElementBase;
-
-constexpr int kMostElements = 8;  // of a channel
-
-/** The first storage of a channel; the channel keeps it. Null if there is none. */
-RTT::internal::StorageCore* storageOf(ChannelElementBase::shared_ptr element, bool towardsReader,
-                                      ChannelElementBase::shared_ptr& keeps) {
-    for (int i = 0; element && i != kMostElements; ++i) {
-        RTT::internal::StorageCore* const core = element->storageCore();
-        keeps = element;
-        if (core) return *core ? core : nullptr;
-        element = towardsReader ? element->getOutput() : element->getInput();
-    }
-    return nullptr;
-}
 
 json connectionJson(const KnownPorts& known, const KnownPorts::Port& at,
                     const RTT::internal::ConnectionManager::ChannelDescriptor& connection) {
@@ -42,8 +27,9 @@ json connectionJson(const KnownPorts& known, const KnownPorts::Port& at,
                  {"policy", RTT::internal::policyText(connection.get<2>())},
                  {"samples", nullptr},
                  {"dropped", nullptr}};
-    ChannelElementBase::shared_ptr keeps;
-    if (const auto* const storage = storageOf(connection.get<1>(), isOutput, keeps)) {
+    const auto storing = RTT::internal::storageFrom(connection.get<1>(), isOutput);
+    const RTT::internal::StorageCore* const storage = storing ? storing->storageCore() : nullptr;
+    if (storage && *storage) {
         made["samples"] = storage->store().size();
         made["dropped"] = storage->store().dropped();
     }

@@ -120,7 +120,7 @@ std::int64_t referenceTime() {
 
 json lines(const Asked& asked) {
     const auto last = asked.request.find("last");
-    if (last != asked.request.end() && (!last->is_number_unsigned() || *last > kMostLines))
+    if (last != asked.request.end() && !(last->is_number_integer() && *last >= 0 && *last <= kMostLines))
         throw Failure(kMalformed, "'last' is not a number of lines, at most 10000");
     const auto count = last == asked.request.end() ? kUsualLines : last->get<std::size_t>();
     RTT::LoggerLevel level = RTT::RealTime;

@@ -166,4 +166,14 @@ void ChunkPipe::loop() {
     freed_.notify_all();
 }
 
+bool addMessage(ChunkPipe& pipe, const oroforge::mcap::Bytes& bytes, oroforge::mcap::Message message) {
+    message.size = bytes.size();
+    ChunkPipe::Filling filling(pipe);
+    unsigned char* const place = filling.placeFor(bytes.size());
+    if (!place) return false;
+    std::copy(bytes.begin(), bytes.end(), place);
+    filling.add(message);
+    return true;
+}
+
 }  // namespace OCL::recording

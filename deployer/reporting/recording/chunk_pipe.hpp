@@ -110,6 +110,9 @@ private:
     bool started_ = false;
 };
 
+/** Adds a whole message; its data and size are those of `bytes`. False if no chunk is free. */
+bool addMessage(ChunkPipe& pipe, const oroforge::mcap::Bytes& bytes, oroforge::mcap::Message message);
+
 }  // namespace OCL::recording
 
 #endif

@@ -2,8 +2,7 @@
 // Copyright Oroforge contributors
 #include "log_channel.hpp"
 
-#include "cdr_text.hpp"
-
+#include <reporting/mcap_file/log_message.hpp>
 #include <rtt/os/TimeService.hpp>
 
 #include <algorithm>
@@ -12,18 +11,14 @@
 namespace OCL::recording {
 namespace {
 
-namespace mcap = oroforge::mcap;
-
-/** As ROS counts levels. */
-std::uint8_t rosLevel(RTT::LoggerLevel level) {
-    constexpr std::uint8_t kDebug = 10, kInfo = 20, kWarn = 30, kError = 40, kFatal = 50;
+LogLevel levelOf(RTT::LoggerLevel level) {
     switch (level) {
         case RTT::Fatal:
-        case RTT::Critical: return kFatal;
-        case RTT::Error: return kError;
-        case RTT::Warning: return kWarn;
-        case RTT::Info: return kInfo;
-        default: return kDebug;
+        case RTT::Critical: return LogLevel::Fatal;
+        case RTT::Error: return LogLevel::Error;
+        case RTT::Warning: return LogLevel::Warning;
+        case RTT::Info: return LogLevel::Info;
+        default: return LogLevel::Debug;
     }
 }
 
@@ -35,30 +30,9 @@ LogChannel::~LogChannel() { end(); }
 
 void LogChannel::end() { RTT::removeLogObserver(*this); }
 
-mcap::Schema LogChannel::schema(std::uint16_t id) {
-    return {id, "rcl_interfaces/msg/Log", "ros2msg",
-            "byte DEBUG=10\n"
-            "byte INFO=20\n"
-            "byte WARN=30\n"
-            "byte ERROR=40\n"
-            "byte FATAL=50\n"
-            "builtin_interfaces/Time stamp\n"
-            "uint8 level\n"
-            "string name  # the module, component or thread\n"
-            "string msg\n"
-            "string file\n"
-            "string function\n"
-            "uint32 line\n" +
-                std::string(80, '=') +
-                "\n"
-                "MSG: builtin_interfaces/Time\n"
-                "int32 sec\n"
-                "uint32 nanosec\n"};
-}
-
-mcap::Channel LogChannel::channel(std::uint16_t id, std::uint16_t schema) {
+oroforge::mcap::Channel LogChannel::channel(std::uint16_t id, std::uint16_t schema) {
     id_ = id;
-    return {id, schema, "/rosout", "cdr", {{"oroforge.kind", "log"}}};
+    return logChannel(id, schema);
 }
 
 void LogChannel::receive(const RTT::LogEntry& entry) {
@@ -85,19 +59,10 @@ void LogChannel::add(ChunkPipe& pipe) {
         const std::lock_guard<std::mutex> lock(mutex_);
         lines.swap(lines_);
     }
-    constexpr std::uint64_t kSecond = 1000000000;
     for (const Line& line : lines) {
         sequence_ += static_cast<std::uint32_t>(line.lostBefore);
-        CdrText message;
-        message.number(static_cast<std::uint32_t>(line.time / kSecond))
-            .number(static_cast<std::uint32_t>(line.time % kSecond))
-            .byte(rosLevel(line.level))
-            .text(line.origin)
-            .text(line.text)
-            .text("")
-            .text("")
-            .number(0);
-        if (!message.addTo(pipe, {id_, sequence_++, line.time, line.time}))
+        const CdrText message = logMessage(line.time, levelOf(line.level), line.origin, line.text);
+        if (!addMessage(pipe, message.bytes(), {id_, sequence_++, line.time, line.time}))
             lost_.fetch_add(1, std::memory_order_relaxed);
     }
 }

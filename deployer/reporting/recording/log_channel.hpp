@@ -27,7 +27,6 @@ public:
     LogChannel(const LogChannel&) = delete;
     LogChannel& operator=(const LogChannel&) = delete;
 
-    static oroforge::mcap::Schema schema(std::uint16_t id);
     oroforge::mcap::Channel channel(std::uint16_t id, std::uint16_t schema);
 
     /** Adds the lines that have come. Allocates if there are any. */

@@ -90,7 +90,7 @@ void Recording::addLog() {
     const auto schema = static_cast<std::uint16_t>(content_.schemas.size() + 1);
     const auto channel = static_cast<std::uint16_t>(content_.channels.size() + 1);
     log_.reset(new LogChannel(options_.realtime));
-    content_.schemas.push_back(LogChannel::schema(schema));
+    content_.schemas.push_back(logSchema(schema));
     content_.channels.push_back(log_->channel(channel, schema));
 }
 

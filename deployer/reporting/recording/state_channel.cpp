@@ -6,8 +6,6 @@
 #include <rtt/ExecutionEngine.hpp>
 #include <rtt/internal/engine/engine_gate.hpp>
 
-#include <cstring>
-
 namespace OCL::recording {
 namespace {
 
@@ -31,18 +29,6 @@ const char* stateBehind(const RTT::internal::EngineGate& gate) {
     const RTT::ExecutionEngine* const engine = visit.engine();
     const RTT::base::TaskCore* const component = engine ? engine->getTaskCore() : nullptr;
     return component ? textOf(component->getTaskState()) : "Destroyed";
-}
-
-/** False if there is no room. */
-bool addTo(ChunkPipe& pipe, const CdrText& text, mcap::Message message) {
-    const mcap::Bytes& bytes = text.bytes();
-    message.size = bytes.size();
-    ChunkPipe::Filling filling(pipe);
-    unsigned char* const place = filling.placeFor(bytes.size());
-    if (!place) return false;
-    std::memcpy(place, bytes.data(), bytes.size());
-    filling.add(message);
-    return true;
 }
 
 }  // namespace
@@ -71,7 +57,8 @@ void StateChannel::add(ChunkPipe& pipe, std::uint64_t now) {
         component.state = state;
         CdrText message;
         message.text(component.name).text(state);
-        if (!addTo(pipe, message, {id_, sequence_++, now, now})) lost_.fetch_add(1, std::memory_order_relaxed);
+        if (!addMessage(pipe, message.bytes(), {id_, sequence_++, now, now}))
+            lost_.fetch_add(1, std::memory_order_relaxed);
     }
 }
 

@@ -113,8 +113,9 @@ protected:
         deployer = std::make_unique<RTT::TaskContext>("Deployer");
         arm = std::make_unique<Arm>("Arm");
         deployer->addPeer(arm.get());
-        requests = std::make_unique<OCL::live::Requests>(*deployer, OCL::live::Deployment{"cell", {"cell.xml"}, "1.2"},
-                                                         [this] { stopped = true; });
+        requests = std::make_unique<OCL::live::Requests>(
+            *deployer, OCL::live::Deployment{"cell", {"cell.xml"}, "1.2", 1764280000000000000},
+            [this] { stopped = true; });
     }
     ~RequestsTest() override {
         arm.reset();

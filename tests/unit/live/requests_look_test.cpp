@@ -20,7 +20,14 @@ TEST_F(RequestsTest, HelloSaysWhatThisIsAndWhatIsAllowed) {
     EXPECT_EQ("1.2", hello["version"]);
     EXPECT_EQ(json::array({"cell.xml"}), hello["files"]);
     EXPECT_EQ(json::array({"properties"}), hello["allow"]);
-    EXPECT_GT(hello["started"].get<std::int64_t>(), 1700000000000000000);
+    EXPECT_EQ(1764280000000000000, hello["started"].get<std::int64_t>());
+    EXPECT_EQ("", hello["log"]);
+    const json lines = result("lines", {{"last", 5}});
+    EXPECT_EQ("", lines["file"]);
+    EXPECT_EQ(json::array(), lines["lines"]);
+    EXPECT_THAT(failure("lines", {{"last", -1}}), StartsWith("LIV001"));
+    EXPECT_THAT(failure("lines", {{"level", "loud"}}), StartsWith("LIV001"));
+    EXPECT_EQ(json::array({"Arm.out"}), result("ports")["outputs"]);
 }
 
 TEST_F(RequestsTest, TheTreeHasComponentsAndTheirServices) {

@@ -6,6 +6,7 @@ import os
 import select
 import shutil
 import signal
+import socket
 import subprocess
 import time
 
@@ -265,6 +266,43 @@ class Deployed(OroCase):
                 shell.wait_for(f"> {completed}".rstrip())
                 shell.send("\x15")
                 shell.wait_for_prompt("> ")
+
+
+class SlowReader(OroCase):
+    """A client that sends many requests before it reads an answer."""
+
+    def connect(self):
+        client = socket.socket(socket.AF_UNIX)
+        self.addCleanup(client.close)
+        client.connect(str(next((self.directory / "oroforge").glob("*.sock"))))
+        client.sendall(b"GET / HTTP/1.1\r\nHost: localhost\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
+                       b"Sec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\nSec-WebSocket-Version: 13\r\n"
+                       b"Sec-WebSocket-Protocol: oro.v1\r\n\r\n")
+        stream = client.makefile("rb")
+        while stream.readline() != b"\r\n":
+            pass
+        return client, stream
+
+    def read(self, stream):
+        size = stream.read(2)[1]
+        if size >= 126:
+            size = int.from_bytes(stream.read(2 if size == 126 else 8), "big")
+        return json.loads(stream.read(size))
+
+    def test_answers_that_wait_have_a_limit(self):
+        self.deploy(SCRIPT + 'tank.label = "' + "x" * 300000 + '"\n')
+        client, stream = self.connect()
+        count = 60
+        for number in range(count):
+            request = json.dumps({"op": "oro.get", "id": number, "path": "tank.label", "timeout": 20}).encode()
+            client.sendall(bytes([0x81, 0x80 | len(request), 0, 0, 0, 0]) + request)
+        self.oro("tree")  # others are served
+        time.sleep(2)
+        answers = [self.read(stream) for _ in range(count)]
+        self.assertEqual(set(range(count)), {one["id"] for one in answers})
+        left_out = [one for one in answers if one["op"] == "oro.error"]
+        self.assertEqual({"LIV010"}, {one["code"] for one in left_out})
+        self.assertGreater(count - len(left_out), 10)
 
 
 class OnTheNetwork(OroCase):

@@ -47,6 +47,27 @@ TEST(MessageQueue, AnswersComeFirstAndTheNewestSampleOfAChannelStays) {
     EXPECT_EQ(0U, queue.answerBytes());
 }
 
+TEST(MessageQueue, TheLastMessageOfAChannelComesBehindItsSamples) {
+    MessageQueue queue(100);
+    queue.addSample(1, frameOf(30, 'a'));
+    queue.addSample(2, frameOf(30, 'b'));
+    queue.addBehind(1, frameOf(10, 'A'));
+    queue.addBehind(3, frameOf(10, 'C'));  // nothing waits
+    EXPECT_EQ("CaAb", drained(queue));
+    queue.addSample(1, frameOf(60, 'a'));
+    queue.addBehind(1, frameOf(10, 'A'));
+    queue.addSample(2, frameOf(60, 'b'));  // drops 'a'
+    EXPECT_EQ("Ab", drained(queue));
+    queue.setLimit(200);
+    queue.addSample(1, frameOf(100, 'a'));
+    queue.addBehind(1, frameOf(10, 'A'));
+    queue.forget(1);
+    queue.addSample(2, frameOf(100, 'b'));
+    EXPECT_EQ("Ab", drained(queue));
+    EXPECT_EQ(0U, queue.sampleBytes());
+    EXPECT_EQ(0U, queue.answerBytes());
+}
+
 TEST(MessageQueue, ASampleLargerThanTheLimitDropsAllOthersAndIsKept) {
     MessageQueue queue(100);
     queue.addSample(1, frameOf(60, 'a'));

@@ -20,11 +20,15 @@ std::string policyText(const ConnPolicy& policy) {
     }
 }
 
+ChannelElementBase::shared_ptr storageFrom(ChannelElementBase::shared_ptr element, bool towardsReader) {
+    while (element && !element->storageCore()) element = towardsReader ? element->getOutput() : element->getInput();
+    return element;
+}
+
 std::vector<ChannelElementBase::shared_ptr> storagesOf(const base::PortInterface& input) {
     std::vector<ChannelElementBase::shared_ptr> found;
     for (const auto& connection : input.getManager()->getConnections()) {
-        ChannelElementBase::shared_ptr at = connection.get<1>();
-        while (at && !at->storageCore()) at = at->getInput();
+        const ChannelElementBase::shared_ptr at = storageFrom(connection.get<1>(), false);
         if (at) found.push_back(at);
     }
     return found;

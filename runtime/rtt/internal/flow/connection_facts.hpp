@@ -21,6 +21,11 @@ namespace internal {
 /** "data", "buffer 10", "circular buffer 10", "unbuffered". */
 RTT_API std::string policyText(const ConnPolicy& policy);
 
+/** The first element of a channel that stores samples, from that one on towards the reader or the writer. Null if there
+    is none. */
+RTT_API base::ChannelElementBase::shared_ptr storageFrom(base::ChannelElementBase::shared_ptr element,
+                                                         bool towardsReader);
+
 /** For each connection of an input port, the first element before the port that stores samples. Not real-time safe. */
 RTT_API std::vector<base::ChannelElementBase::shared_ptr> storagesOf(const base::PortInterface& input);
 
