@@ -4,6 +4,7 @@
 
 #include "about.hpp"
 
+#include <reporting/mcap_file/log_message.hpp>
 #include <rtt/Logger.hpp>
 #include <rtt/os/TimeService.hpp>
 
