@@ -25,7 +25,7 @@ public:
     void header(const Header& one) override { header_ = one; }
     void schema(const Schema& one) override { schemas_[one.id] = one; }
     void channel(const Channel& one) override { channels_[one.id].channel = one; }
-    void chunk(const ChunkHead& head, const Bytes&) override {
+    void chunk(const ChunkHead& head, const Bytes&, std::uint64_t) override {
         ++chunks_;
         compressions_.insert(head.compression.empty() ? "none" : head.compression);
     }
