@@ -26,6 +26,7 @@ add_library(oroforge_live_client STATIC
   live/client/list_command.cpp
   live/client/log_command.cpp
   live/client/manual.cpp
+  live/client/other_program.cpp
   live/client/output.cpp
   live/client/picture.cpp
   live/client/plot_command.cpp

@@ -13,7 +13,21 @@ namespace oroforge::live_client {
 class Session;
 
 /** What can stand in place of an argument or the value of an option, for completion. */
-enum class Names { None, Component, Part, Port, Field, Value, Operation, Deployment, Shell, Level, Format, File };
+enum class Names {
+    None,
+    Component,
+    Part,
+    Port,
+    Field,
+    Value,
+    Operation,
+    Deployment,
+    Shell,
+    Level,
+    Format,
+    File,
+    Recording
+};
 
 struct Argument {
     const char* name;
@@ -44,6 +58,7 @@ struct Command {
     std::vector<Option> options;
     std::vector<Example> examples;
     void (*run)(Session& session);
+    const char* program = nullptr;  ///< another program does it, and reads its words itself
 };
 
 /** All commands, in the order of the help. */
@@ -78,6 +93,7 @@ void showLog(Session& session);
 void showGraph(Session& session);
 void showTop(Session& session);
 void runConsole(Session& session);
+void readRecording(Session& session);
 void writeCompletion(Session& session);
 void writeManual(Session& session);
 

@@ -197,6 +197,23 @@ std::vector<Command> programCommands() {
          {},
          {{"oro console", ""}, {"echo 'arm.gain = 0.5' | oro console", ""}},
          runConsole},
+        {"mcap",
+         "reads recordings",
+         "Reads recordings (MCAP files), as the program oro-mcap does, without a deployment: info, cat, convert, diff "
+         "and "
+         "recover. 'oro mcap --help' lists the commands, 'oro mcap cat --help' explains one. The exit status is 0 if "
+         "all "
+         "is well, 1 if part of a file is damaged or two files differ, 2 if the command line is wrong or a file cannot "
+         "be "
+         "read.",
+         {{"COMMAND", "info, cat, convert, diff or recover", Names::Recording},
+          {"FILE", "recordings", Names::File, 0, kAny}},
+         {},
+         {{"oro mcap info run.mcap", ""},
+          {"oro mcap cat run.mcap --topic /arm/position", ""},
+          {"oro mcap diff before.mcap after.mcap", ""}},
+         readRecording,
+         "oro-mcap"},
         {"completion",
          "the completion of a shell",
          "Writes a script that makes a shell complete the commands of oro, and names of the deployment that is "

@@ -119,6 +119,7 @@ std::vector<Candidate> wordsOf(const std::vector<const char*>& words) {
 std::vector<Candidate> namesOf(Names kind, const std::string& word, const Given& given) {
     switch (kind) {
         case Names::Shell: return wordsOf({"bash", "zsh", "fish"});
+        case Names::Recording: return wordsOf({"info", "cat", "convert", "diff", "recover"});
         case Names::Level: return wordsOf({"Debug", "Info", "Warning", "Error", "Critical", "Fatal"});
         case Names::Format: return wordsOf({"text", "json"});
         case Names::Deployment: {
@@ -145,7 +146,8 @@ std::vector<Candidate> unfiltered(const std::vector<std::string>& words) {
     const Typed typed = understand(words);
     const std::string& last = words.back();
     if (typed.waiting) return namesOf(typed.waiting->completed, last, typed.given);
-    if (!last.empty() && last[0] == '-') return optionsOf(typed.command);
+    if (!last.empty() && last[0] == '-')
+        return typed.command && typed.command->program ? std::vector<Candidate>() : optionsOf(typed.command);
     if (!typed.command) {
         std::vector<Candidate> all;
         for (const Command& command : commands()) all.push_back({command.name, command.summary});

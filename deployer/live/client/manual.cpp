@@ -84,11 +84,11 @@ std::string pageOf(const Command& command) {
     text += section("DESCRIPTION") + roff(command.text) + "\n";
     for (const Argument& argument : command.arguments)
         text += ".TP\n\\fI" + roff(argument.name) + "\\fR\n" + roff(argument.text) + "\n";
-    text += section("OPTIONS") + optionsText(command.options) + optionsText(commonOptions());
+    if (!command.program) text += section("OPTIONS") + optionsText(command.options) + optionsText(commonOptions());
     text += section("EXAMPLES");
     for (const Example& example : command.examples)
         text += ".TP\n\\fB" + roff(example.line) + "\\fR\n" + roff(example.text) + "\n";
-    return text + statusText() + section("SEE ALSO") + ".BR oro (1)\n";
+    return text + (command.program ? "" : statusText()) + section("SEE ALSO") + ".BR oro (1)\n";
 }
 
 std::string mainPage() {

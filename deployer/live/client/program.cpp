@@ -5,6 +5,7 @@
 #include "command_line.hpp"
 #include "completion.hpp"
 #include "failure.hpp"
+#include "other_program.hpp"
 
 #include <csignal>
 #include <exception>
@@ -28,6 +29,8 @@ void completeWords(const std::vector<std::string>& words, Output& out) {
 
 void work(const std::vector<std::string>& words, Output& out) {
     if (!words.empty() && words.front() == "__complete") return completeWords({words.begin() + 1, words.end()}, out);
+    if (const Command* const command = words.empty() ? nullptr : commandNamed(words.front()))
+        if (command->program) runOther(command->program, {words.begin() + 1, words.end()});
     const CommandLine line = readCommandLine(words);
     if (!line.help.empty()) return out.write(line.help);
     Session session(line.given, out);

@@ -6,12 +6,12 @@
 #include "in_order.hpp"
 #include "problem.hpp"
 #include "records.hpp"
+#include "scan.hpp"
 #include "source.hpp"
 
 #include <cstdint>
 #include <functional>
 #include <map>
-#include <set>
 #include <vector>
 
 namespace oroforge::mcap {
@@ -26,9 +26,9 @@ struct Contents {
     std::uint64_t start = 0, end = 0;               ///< the times of the first and the last message
     bool hasIndex = false;                          ///< it was read from the index at the end of the file
 
-    std::set<std::uint16_t> ids() const {
-        std::set<std::uint16_t> all;
-        for (const auto& [id, channel] : channels) all.insert(id);
+    ChannelIds ids() const {
+        ChannelIds all;
+        for (const auto& [id, channel] : channels) (void)all.insert(id);
         return all;
     }
 };

@@ -70,13 +70,9 @@ struct InOrder::Open : Visitor {
     std::size_t at = 0;
 };
 
-InOrder::InOrder(Source& source, const std::vector<Piece>& pieces, std::set<std::uint16_t> known, Selection selection,
+InOrder::InOrder(Source& source, const std::vector<Piece>& pieces, ChannelIds known, Selection selection,
                  Damaged damaged, const Limits& limits)
-    : source_(source),
-      known_(std::move(known)),
-      selection_(std::move(selection)),
-      damaged_(std::move(damaged)),
-      limits_(limits) {
+    : source_(source), known_(known), selection_(std::move(selection)), damaged_(std::move(damaged)), limits_(limits) {
     for (const Piece& piece : pieces)
         if (isWanted(piece)) waiting_.push_back(piece);
     std::stable_sort(waiting_.begin(), waiting_.end(),
@@ -155,11 +151,11 @@ void readMessages(Source& source, const Summary& summary, const Selection& selec
                   const std::function<void(const Message&)>& visit, const std::function<void(const Problem&)>& damaged,
                   const Limits& limits) {
     const Unindexed more = findUnindexed(source, summary, selection, damaged);
-    std::set<std::uint16_t> known = more.channels;
-    for (const auto& [id, channel] : summary.channels) known.insert(id);
+    ChannelIds known = more.channels;
+    for (const auto& [id, channel] : summary.channels) (void)known.insert(id);
     // Without them in the index, those of other chunks are unknown: any may be there.
-    for (std::uint16_t id = 0xffff; summary.channels.empty() && id != 0; --id) known.insert(id);
-    InOrder messages(source, piecesOf(summary, more), std::move(known), selection, damaged, limits);
+    if (summary.channels.empty()) known.insertAll();
+    InOrder messages(source, piecesOf(summary, more), known, selection, damaged, limits);
     while (const Message* const message = messages.next()) visit(*message);
 }
 

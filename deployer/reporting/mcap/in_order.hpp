@@ -44,8 +44,8 @@ class InOrder {
 public:
     typedef std::function<void(const Problem&)> Damaged;
 
-    InOrder(Source& source, const std::vector<Piece>& pieces, std::set<std::uint16_t> known, Selection selection,
-            Damaged damaged, const Limits& limits = {});
+    InOrder(Source& source, const std::vector<Piece>& pieces, ChannelIds known, Selection selection, Damaged damaged,
+            const Limits& limits = {});
     ~InOrder();
 
     /** Null at the end. Valid until the next call. Reads the file and allocates. */
@@ -60,7 +60,7 @@ private:
     bool read(const Piece& piece, Open& one);
 
     Source& source_;
-    std::set<std::uint16_t> known_;
+    ChannelIds known_;
     const Selection selection_;
     const Damaged damaged_;
     const Limits limits_;

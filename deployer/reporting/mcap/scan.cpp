@@ -20,7 +20,7 @@ Problem lengthProblem(std::uint64_t offset) {
 }
 
 /** Visits a record that is no chunk; a problem if it is damaged. `inChunk` is its place there. */
-Problem visitRecord(Op op, Cursor content, std::uint64_t offset, std::uint64_t inChunk, std::set<std::uint16_t>& known,
+Problem visitRecord(Op op, Cursor content, std::uint64_t offset, std::uint64_t inChunk, ChannelIds& known,
                     Visitor& visitor) {
     switch (op) {
         case Op::Header: {
@@ -45,7 +45,7 @@ Problem visitRecord(Op op, Cursor content, std::uint64_t offset, std::uint64_t i
         case Op::Message: {
             Message message;
             if (!get(content, message)) return lengthProblem(offset);
-            if (known.count(message.channel) == 0)
+            if (!known.has(message.channel))
                 return {"MCP007", offset,
                         "a message belongs to channel " + std::to_string(message.channel) +
                             ", which no record before it describes"};
@@ -198,7 +198,7 @@ private:
     void visitRepeated() {
         for (const auto& [id, schema] : summary_->schemas) visitor_.schema(schema);
         for (const auto& [id, channel] : summary_->channels)
-            if (known_.insert(id).second) visitor_.channel(channel);
+            if (known_.insert(id)) visitor_.channel(channel);
     }
 
     /** Passes everything on and counts the problems. */
@@ -226,7 +226,7 @@ private:
     std::uint32_t crc_ = 0;  // of all bytes so far
     Bytes content_;
     ChunkReader chunk_;
-    std::set<std::uint16_t> known_;
+    ChannelIds known_;
     std::unique_ptr<Summary> summary_;
 };
 
@@ -251,7 +251,7 @@ Problem ChunkReader::open(const Bytes& content, std::uint64_t offset, const Limi
     return {};
 }
 
-void visitRecords(const ChunkReader& chunk, std::uint64_t offset, std::set<std::uint16_t>& known, Visitor& visitor) {
+void visitRecords(const ChunkReader& chunk, std::uint64_t offset, ChannelIds& known, Visitor& visitor) {
     const Bytes& records = chunk.records();
     Cursor cursor(records.data(), records.size());
     while (cursor.left() != 0) {

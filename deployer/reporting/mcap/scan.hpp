@@ -7,8 +7,9 @@
 #include "records.hpp"
 #include "source.hpp"
 
+#include <bitset>
+#include <cstddef>
 #include <cstdint>
-#include <set>
 #include <utility>
 
 namespace oroforge::mcap {
@@ -51,6 +52,22 @@ struct Scanned {
  */
 Scanned scan(Source& source, Visitor& visitor, const Limits& limits = {});
 
+/** Numbers of channels. */
+class ChannelIds {
+public:
+    bool has(std::uint16_t id) const { return ids_.test(id); }
+    /** True if it was not there. */
+    bool insert(std::uint16_t id) {
+        const bool isNew = !has(id);
+        ids_.set(id);
+        return isNew;
+    }
+    void insertAll() { ids_.set(); }
+
+private:
+    std::bitset<std::size_t(1) << 16> ids_;
+};
+
 /** What scan() does with the records of one chunk; `content` is that of its record, which begins at `offset`. */
 class ChunkReader {
 public:
@@ -68,7 +85,7 @@ private:
 };
 
 /** Visits the records of a chunk. Messages whose channels are not among `known` are problems. */
-void visitRecords(const ChunkReader& chunk, std::uint64_t offset, std::set<std::uint16_t>& known, Visitor& visitor);
+void visitRecords(const ChunkReader& chunk, std::uint64_t offset, ChannelIds& known, Visitor& visitor);
 
 }  // namespace oroforge::mcap
 

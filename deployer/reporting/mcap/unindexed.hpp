@@ -10,7 +10,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <set>
 #include <vector>
 
 namespace oroforge::mcap {
@@ -24,7 +23,7 @@ struct LooseMessage {
 struct Unindexed {
     std::vector<ChunkIndex> chunks;
     std::vector<LooseMessage> messages;  ///< in the order of the file
-    std::set<std::uint16_t> channels;    ///< of records that are in no chunk
+    ChannelIds channels;                 ///< of records that are in no chunk
 };
 
 /** Goes from record to record, and from each chunk that the index names to what is behind it. Keeps of the messages

@@ -169,6 +169,8 @@ TEST(OroCompletion, KnowsTheTable) {
     EXPECT_THAT(wordsFor({"--format", ""}), testing::ElementsAre("text", "json"));
     EXPECT_THAT(wordsFor({"--format=json", "completion", "z"}), testing::ElementsAre("zsh"));
     EXPECT_THAT(wordsFor({"log", "--level", "W"}), testing::ElementsAre("Warning"));
+    EXPECT_THAT(wordsFor({"mcap", "c"}), testing::ElementsAre("cat", "convert"));
+    EXPECT_THAT(wordsFor({"mcap", "cat", "--"}), testing::IsEmpty());
     EXPECT_THAT(wordsFor({"man", "ec"}), testing::ElementsAre("echo"));
     EXPECT_THAT(wordsFor({"completion", "bash", ""}), testing::IsEmpty());
     EXPECT_THAT(wordsFor({}), testing::IsEmpty());

@@ -207,6 +207,31 @@ TEST_F(Tool, RefusesWhatIsNoRecording) {
     EXPECT_THAT(expect(0, {"--help"}).out, HasSubstr("recover"));
 }
 
+#ifdef ORO_PROGRAM
+TEST_F(Tool, IsACommandOfOro) {
+    record("run.mcap", messages());
+    const auto runOro = [&](const std::string& program, std::vector<std::string> words) {
+        Command command;
+        command.program = program;
+        words.insert(words.begin(), "mcap");
+        command.arguments = words;
+        command.directory = directory.path();
+        return oroforge::test::run(command);
+    };
+    EXPECT_EQ(expect(0, {"cat", "run.mcap"}).out, runOro(ORO_PROGRAM, {"cat", "run.mcap"}).out);
+    EXPECT_EQ(expect(0, {"--help"}).out, runOro(ORO_PROGRAM, {"--help"}).out);
+    EXPECT_EQ(2, runOro(ORO_PROGRAM, {"info", "none.mcap"}).status);
+    const std::filesystem::path alone = directory / "alone";
+    std::filesystem::create_directory(alone);
+    std::filesystem::copy(ORO_PROGRAM, alone / "oro");
+    const Outcome missing = runOro((alone / "oro").string(), {"info", "run.mcap"});
+    EXPECT_EQ(2, missing.status);
+    EXPECT_THAT(missing.err,
+                HasSubstr("alone/oro-mcap': the toolchain was built without recordings, for which it needs "
+                          "libzstd-dev or liblz4-dev"));
+}
+#endif
+
 TEST_F(Tool, ReportsMessagesThatDoNotFitTheirSchema) {
     std::vector<Told> wrong = messages();
     std::get<3>(wrong[0]).resize(20);
