@@ -160,12 +160,12 @@ template <class T>
 void replay(benchmark::State& state, long ports, int samples, const T& sample) {
     Setup<T> setup(ports, kCompressions[state.range(0)], 1U << 20);
     setup.recorder.setActivity(new RTT::extras::SlaveActivity(0.001));
+    setup.template set<std::string>("Clock", "component");
+    setup.set("Reproducible", true);  // it waits for the file
     if (!setup.recorder.start()) std::abort();
     for (int i = 0; i < samples; ++i) {
         setup.write(sample);
         if (i % 100 == 99) setup.recorder.update();
-        // The writer of the file keeps up.
-        if (i % 1000 == 999) std::this_thread::sleep_for(std::chrono::milliseconds(50));
     }
     setup.recorder.stop();
     const auto bytes = static_cast<double>(std::filesystem::file_size(fileName()));

@@ -9,6 +9,7 @@
 #include "failure.hpp"
 #include "graph.hpp"
 #include "libraries.hpp"
+#include "replaced.hpp"
 #include "scripts.hpp"
 #include "shutdown.hpp"
 #include "summary.hpp"
@@ -241,6 +242,7 @@ bool DeploymentComponent::setWaitPeriodPolicy(const string& name, int policy) {
 // --- waiting --------------------------------------------------------------------------------------------------------
 
 void DeploymentComponent::waitForInterrupt() {
+    if (deploy::replaysInstead("waitForInterrupt")) return;
     RTT::os::SignalCatcher catcher({SIGINT, SIGTERM, SIGHUP});
     std::cout << "DeploymentComponent: waiting for an interrupt" << std::endl;
     (void)catcher.wait();
@@ -248,6 +250,7 @@ void DeploymentComponent::waitForInterrupt() {
 }
 
 bool DeploymentComponent::waitForSignal(int signal) {
+    if (deploy::replaysInstead("waitForSignal")) return true;
     RTT::os::SignalCatcher catcher({signal});
     if (!catcher.ready()) {
         log(RTT::Error) << "signal " << signal << " cannot be caught" << endlog();

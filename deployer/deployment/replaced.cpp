@@ -117,6 +117,13 @@ ComponentPlan planOf(const std::string& name, const std::string& type) {
     return plan;
 }
 
+bool replaysInstead(const char* operation) {
+    if (!present) return false;
+    RTT::log(RTT::Info) << operation << "() does not wait: the replay begins when the scripts have ended"
+                        << RTT::endlog();
+    return true;
+}
+
 void replaceRecorded(const Session& session, Plan& plan) {
     if (!present) return;
     std::set<std::string> masters = session.masters, replaced;

@@ -47,6 +47,9 @@ void replaceRecorded(const Session& session, Plan& plan);
 /** For a component that a script creates: how it is replaced. */
 ComponentPlan planOf(const std::string& name, const std::string& type);
 
+/** True in a replay, which begins when the scripts have ended: the log says that the operation does not wait. */
+bool replaysInstead(const char* operation);
+
 /** True if a recording stands for it. */
 bool isStandIn(const RTT::TaskContext& component);
 

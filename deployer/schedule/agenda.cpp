@@ -125,13 +125,17 @@ void Agenda::executeLast(ScheduledActivity& activity) {
 void Agenda::execute(ScheduledActivity& activity, unsigned reasons, std::unique_lock<std::mutex>& lock) {
     bool gone = false;
     activity.gone_ = &gone;
+    activity.executing_ = true;
     lastExecuted_ = activity.component();
     ++executions_;
     idleSince_ = 0;
     lock.unlock();
     activity.run(reasons, gone);
     lock.lock();
-    if (!gone) activity.gone_ = nullptr;
+    if (!gone) {
+        activity.gone_ = nullptr;
+        activity.executing_ = false;
+    }
     ended_.notify_all();
 }
 

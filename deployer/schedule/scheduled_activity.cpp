@@ -44,7 +44,7 @@ ScheduledActivity::~ScheduledActivity() {
 }
 
 bool ScheduledActivity::isSelf() const { return agenda_->isHere(); }
-bool ScheduledActivity::isRunning() const { return active_ && (period_ != 0 || gone_ != nullptr); }
+bool ScheduledActivity::isRunning() const { return active_ && (period_ != 0 || executing_); }
 RTT::Seconds ScheduledActivity::getPeriod() const { return RTT::nsecs_to_Seconds(period_); }
 
 bool ScheduledActivity::start() {
@@ -120,6 +120,26 @@ void ScheduledActivity::run(unsigned reasons, const bool& gone) {
 
 void ScheduledActivity::work(RTT::base::RunnableInterface::WorkReason reason) {
     if (runner) runner->work(reason);
+}
+
+void ScheduledFileActivity::watch(int fd) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    watched_.insert(fd);
+}
+
+void ScheduledFileActivity::unwatch(int fd) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    watched_.erase(fd);
+}
+
+void ScheduledFileActivity::clearAllWatches() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    watched_.clear();
+}
+
+bool ScheduledFileActivity::isWatched(int fd) const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return watched_.count(fd) != 0;
 }
 
 void ScheduledFileActivity::setTimeout(int milliseconds) {

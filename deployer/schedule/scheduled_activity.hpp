@@ -12,6 +12,7 @@
 
 #include <atomic>
 #include <memory>
+#include <mutex>
 #include <set>
 #include <string>
 
@@ -85,7 +86,7 @@ private:
     const Kind kind_;
     ScheduledThread thread_;
     std::atomic<RTT::nsecs> period_;
-    std::atomic<bool> active_{false};
+    std::atomic<bool> active_{false}, executing_{false};
 
     // Of the agenda, under its lock.
     RTT::nsecs due_ = 0;
@@ -100,10 +101,10 @@ class ScheduledFileActivity final : public ScheduledActivity, public RTT::extras
 public:
     using ScheduledActivity::ScheduledActivity;
 
-    void watch(int fd) override { watched_.insert(fd); }
-    void unwatch(int fd) override { watched_.erase(fd); }
-    void clearAllWatches() override { watched_.clear(); }
-    bool isWatched(int fd) const override { return watched_.count(fd) != 0; }
+    void watch(int fd) override;
+    void unwatch(int fd) override;
+    void clearAllWatches() override;
+    bool isWatched(int fd) const override;
     bool isUpdated(int) const override { return false; }
     bool hasTimeout() const override { return timedOut_; }
     bool hasError() const override { return false; }
@@ -113,6 +114,7 @@ public:
     int getTimeout_us() const override { return timeout_; }
 
 private:
+    mutable std::mutex mutex_;
     std::set<int> watched_;
     std::atomic<int> timeout_{0};  // microseconds
 };

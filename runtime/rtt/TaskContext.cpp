@@ -12,7 +12,7 @@
 #include <rtt/internal/engine/topology.hpp>
 #include <rtt/internal/plugin_loading.hpp>
 #include <rtt/os/ThreadInterface.hpp>
-#include <rtt/os/TimeService.hpp>
+#include <rtt/os/fosi.h>
 
 #include <exception>
 #include <new>
@@ -180,8 +180,7 @@ base::ActivityInterface* TaskContext::getActivity() {
 }
 
 bool TaskContext::endExecution(Seconds limit) {
-    const std::int64_t deadline =
-        limit < 0 ? INT64_MAX : os::TimeService::Instance()->getNSecs() + Seconds_to_nsecs(limit);
+    const std::int64_t deadline = limit < 0 ? INT64_MAX : rtos_get_time_ns() + Seconds_to_nsecs(limit);
     // No step begins after that; the current one is asked to end.
     if (activity_ && !engine()->gate()->retired()) activity_->stop();
     const bool left = engine()->retire(deadline);

@@ -12,10 +12,12 @@ namespace OCL::replay {
 namespace {
 
 constexpr double kFastest = 1e6;
+constexpr const char* kWrongProperty = "MCP027";
 
 std::string wrong(const std::string& property, double found, const std::string& expected) {
     std::ostringstream text;
-    text << "error: [MCP027] property " << property << ": found " << found << ", expected " << expected;
+    text << "error: [" << kWrongProperty << "] property " << property << ": found " << found << ", expected "
+         << expected;
     return text.str();
 }
 
@@ -54,8 +56,8 @@ std::vector<Topic> chooseTopics(const std::vector<Topic>& all, const std::string
     for (const Topic& topic : all) names.push_back(topic.topic);
     for (const std::string& word : words) {
         if (std::any_of(all.begin(), all.end(), [&](const Topic& topic) { return matches(word, topic); })) continue;
-        why = "error: [MCP027] property Topics: no port of the recording matches '" + word + "'" +
-              oroforge::diag::didYouMean(word, names);
+        why = std::string("error: [") + kWrongProperty + "] property Topics: no port of the recording matches '" +
+              word + "'" + oroforge::diag::didYouMean(word, names);
         return {};
     }
     std::vector<Topic> chosen;

@@ -154,7 +154,7 @@ void RecordingPlayer::advance() {
     if (!ahead_) return;
     const RTT::nsecs time = timeOf(ahead_->logTime);
     if (time < due_)
-        problems_.add("order", file_ + ": error: [MCP026] a message at " + secondsOf(ahead_->logTime) +
+        problems_.add("order", file_ + ": error: [" + "MCP026" + "] a message at " + secondsOf(ahead_->logTime) +
                                    " comes after later ones, because the index has wrong times; it is replayed late");
     due_ = std::max(due_, time);
 }

@@ -207,6 +207,13 @@ TEST_F(ReplayProgram, ScriptsFindWhatIsReplaced) {
     EXPECT_THAT(bytes("one.mcap"), HasSubstr("/viewer/seen"));
 }
 
+TEST_F(ReplayProgram, AScriptThatWaitsForASignalLetsTheReplayBegin) {
+    directory_.write("wait.ops", "waitForInterrupt()\n");
+    const Outcome outcome = replay({"-s", "app.xml", "-s", "wait.ops"});
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_THAT(outcome.out, HasSubstr("replayed run.mcap: "));
+}
+
 TEST_F(ReplayProgram, TheLogDoesNotTellHowFastTheComputerIs) {
     const auto lines = [this] {
         std::filesystem::remove(directory_ / "orocos.log");
