@@ -11,6 +11,8 @@
 #include <cstdlib>
 #include <iostream>
 #include <map>
+#include <set>
+#include <string>
 #include <vector>
 
 namespace oroforge::mcap {
@@ -89,6 +91,18 @@ private:
     std::string header_;
 };
 
+/** Those that were given; otherwise all but the recorder's own, which no reporter writes. */
+std::set<std::string> topicsOf(const OpenedFile& file, const ToolOptions& options) {
+    std::set<std::string> topics(options.topics.begin(), options.topics.end());
+    if (!topics.empty()) return topics;
+    for (const auto& [id, channel] : file.channels()) {
+        const auto kind = channel.metadata.find("oroforge.kind");
+        const bool isOwn = kind != channel.metadata.end() && (kind->second == "log" || kind->second == "states");
+        if (!isOwn) topics.insert(channel.topic);
+    }
+    return topics;
+}
+
 }  // namespace
 
 int convertToTable(const ToolOptions& options) {
@@ -96,9 +110,10 @@ int convertToTable(const ToolOptions& options) {
     if (!file) return kFailed;
     for (const std::string& topic : options.topics)
         if (!isTopicOf(*file, topic)) return kFailed;
+    const std::set<std::string> topics = topicsOf(*file, options);
     Decoders decoders(file->name());
     const auto read = [&](auto&& use) {
-        file->read({options.topics.begin(), options.topics.end()}, [&](const Channel& channel, const Message& message) {
+        file->read(topics, [&](const Channel& channel, const Message& message) {
             Leaves leaves;
             if (decoders.walk(channel, file->schemaOf(channel), message, leaves)) use(channel, message, leaves);
         });
