@@ -188,6 +188,7 @@ void Consoles::line(const std::shared_ptr<Ticket>& ticket) {
             terminal.outText.onFlush = [&ticket](const std::string& text) { ticket->say(text); };
         const bool whole = session.execute([&] { terminal.console.execute(line); });
         terminal.outText.onFlush = nullptr;
+        terminal.out.clear();  // a lack of memory would silence all lines that follow
         const std::string prompt = terminal.console.prompt();
         ticket->answer({{"out", Terminal::taken(terminal.outText)},
                         {"err", Terminal::taken(terminal.errText)},
