@@ -90,10 +90,13 @@ endif()
 add_executable(oro-mcap
   reporting/mcap_tool/cat.cpp
   reporting/mcap_tool/convert.cpp
+  reporting/mcap_tool/convert_netcdf.cpp
+  reporting/mcap_tool/convert_table.cpp
   reporting/mcap_tool/diff.cpp
   reporting/mcap_tool/info.cpp
   reporting/mcap_tool/leaves.cpp
   reporting/mcap_tool/main.cpp
+  reporting/mcap_tool/netcdf_writer.cpp
   reporting/mcap_tool/new_file.cpp
   reporting/mcap_tool/opened_file.cpp
   reporting/mcap_tool/options.cpp

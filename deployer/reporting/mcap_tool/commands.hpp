@@ -18,7 +18,7 @@ struct ToolOptions {
     std::vector<std::string> files;
     std::vector<std::string> topics;
     std::string output;
-    std::string format = "csv";
+    std::string format;
 };
 
 int info(const ToolOptions& options);
@@ -26,6 +26,8 @@ int cat(const ToolOptions& options);
 int diff(const ToolOptions& options);
 int recover(const ToolOptions& options);
 int convert(const ToolOptions& options);
+int convertToTable(const ToolOptions& options);
+int convertToNetcdf(const ToolOptions& options);
 
 /** False if the program is to end with this status. */
 bool readCommandLine(int count, char** words, ToolOptions& options, int& status);

@@ -67,11 +67,9 @@ private:
 
 }  // namespace
 
-int convert(const ToolOptions& options) {
-    if (options.format != "csv") {
-        std::cerr << "oro-mcap: error: --to: found '" << options.format << "', expected csv\n";
-        return kFailed;
-    }
+namespace {
+
+int convertToCsv(const ToolOptions& options) {
     const std::unique_ptr<OpenedFile> file = OpenedFile::open(options.files[0]);
     if (!file) return kFailed;
     const std::string topic = topicOf(*file, options);
@@ -103,6 +101,24 @@ int convert(const ToolOptions& options) {
         return kFailed;
     }
     return file->isDamaged() || decoders.failed() ? kDamaged : kGood;
+}
+
+std::string formatOf(const ToolOptions& options) {
+    if (!options.format.empty()) return options.format;
+    const std::size_t point = options.output.rfind('.');
+    const std::string suffix = point == std::string::npos ? "" : options.output.substr(point);
+    return suffix == ".nc" ? "netcdf" : suffix == ".dat" ? "table" : "csv";
+}
+
+}  // namespace
+
+int convert(const ToolOptions& options) {
+    const std::string format = formatOf(options);
+    if (format == "csv") return convertToCsv(options);
+    if (format == "table") return convertToTable(options);
+    if (format == "netcdf") return convertToNetcdf(options);
+    std::cerr << "oro-mcap: error: --to: found '" << format << "', expected csv, table or netcdf\n";
+    return kFailed;
 }
 
 }  // namespace oroforge::mcap

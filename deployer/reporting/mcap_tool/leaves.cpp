@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include "leaves.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
 #include <utility>
@@ -41,6 +42,21 @@ bool Decoders::walk(const Channel& channel, const Schema* described, const Messa
     std::cerr << file_ << ": error: [" << kUnreadable << "] topic '" << channel.topic << "': the message at "
               << secondsOf(message.logTime) << " does not fit its schema: " << why << "\n";
     return false;
+}
+
+std::string sourceOf(const Channel& channel) {
+    const auto found = channel.metadata.find("oroforge.source");
+    std::string name = found == channel.metadata.end() ? channel.topic : found->second;
+    if (name.size() > 1 && name[0] == '/') name.erase(0, 1);
+    std::replace(name.begin(), name.end(), '/', '.');
+    return name;
+}
+
+std::string nameOf(const std::string& source, const std::string& path) {
+    constexpr std::string_view kOnly = "data";
+    if (path.compare(0, kOnly.size(), kOnly) != 0) return source + "." + path;
+    const std::string rest = path.substr(kOnly.size());
+    return rest.empty() || rest[0] == '[' ? source + rest : source + "." + path;
 }
 
 std::string secondsOf(std::uint64_t time) {

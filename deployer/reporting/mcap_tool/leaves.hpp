@@ -18,6 +18,7 @@ struct Leaf {
     std::string path;  ///< "pose.points[2].x"
     std::string value;
     bool isText = false;
+    schema::Basic type = schema::Basic::Text;
 };
 
 /** The numbers and texts of a message, and the sizes of its empty lists. */
@@ -38,7 +39,10 @@ public:
         path_ += '[' + std::to_string(index) + ']';
     }
     void endList() override { close(); }
-    void number(std::string_view text) override { all.push_back({path_, std::string(text), false}); }
+    void number(std::string_view) override {}
+    void typedNumber(schema::Basic type, std::string_view text) override {
+        all.push_back({path_, std::string(text), false, type});
+    }
     void text(std::string_view text) override { all.push_back({path_, std::string(text), true}); }
 
 private:
@@ -68,6 +72,12 @@ private:
     std::map<std::uint16_t, std::pair<bool, schema::MessageSchema>> known_;
     bool failed_ = false;
 };
+
+/** The name of a topic as the reporters have it: "arm.pose" for "/arm/pose". */
+std::string sourceOf(const Channel& channel);
+/** The name of a leaf as the reporters have it. The field `data`, which is around a number, text or list because a
+    message must be a struct, is left out. */
+std::string nameOf(const std::string& source, const std::string& path);
 
 /** Nanoseconds as seconds: "1.500000000". */
 std::string secondsOf(std::uint64_t time);

@@ -22,6 +22,16 @@ std::unique_ptr<NewFile> NewFile::make(const std::string& name) {
 
 NewFile::~NewFile() { ::close(file_); }
 
+std::string NewFile::writeAt(std::uint64_t offset, const unsigned char* data, std::size_t size) {
+    for (std::size_t done = 0; done != size;) {
+        const ssize_t written = ::pwrite(file_, data + done, size - done, static_cast<off_t>(offset + done));
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) return std::generic_category().message(errno);
+        done += static_cast<std::size_t>(written);
+    }
+    return {};
+}
+
 std::string NewFile::write(const Piece* pieces, std::size_t count) {
     for (const Piece* piece = pieces; piece != pieces + count; ++piece)
         for (std::size_t done = 0; done != piece->size;) {

@@ -19,6 +19,8 @@ public:
     NewFile(const NewFile&) = delete;
     NewFile& operator=(const NewFile&) = delete;
 
+    /** Writes somewhere in the file. */
+    std::string writeAt(std::uint64_t offset, const unsigned char* data, std::size_t size);
     std::string write(const Piece* pieces, std::size_t count) override;
 
 private:

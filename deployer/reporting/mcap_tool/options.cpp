@@ -41,9 +41,13 @@ bool readCommandLine(int count, char** words, ToolOptions& options, int& status)
         add(app, "recover", "Write what is whole of a damaged recording to a new one", options, 1);
     recover->add_option("-o,--output", options.output, "The new recording; else FILE_recovered.mcap")
         ->type_name("FILE");
-    CLI::App* const convert = add(app, "convert", "Write the messages of a topic as a table", options, 1);
+    CLI::App* const convert = add(app, "convert", "Write messages as a table", options, 1);
     addTopics(convert, options);
-    convert->add_option("--to", options.format, "The format: csv")->type_name("FORMAT");
+    convert
+        ->add_option(
+            "--to", options.format,
+            "The format: csv has one topic, table and netcdf have all; else by the name of the output: .csv, .dat, .nc")
+        ->type_name("FORMAT");
     convert->add_option("-o,--output", options.output, "The table; else it is printed")->type_name("FILE");
     try {
         app.parse(count, words);

@@ -53,6 +53,12 @@ RecordedSource::RecordedSource(std::shared_ptr<reporting::Source> source, std::s
       plan_(std::move(plan)),
       schema_(std::move(schema)),
       sample_(source_->sample()->getRawConstPointer()) {
+    std::string why;
+    stamp_ = RTT::encoding::Stamp::make(*source_->sample()->getTypeInfo(), why);
+    if (!why.empty())
+        RTT::log(RTT::Error) << "messages of '" << source_->name() << "' have the time of the recorder: error: ["
+                             << "MCP013"
+                             << "] " << why << RTT::endlog();
     source_->prepare();
     findStores();
     dropped_ = dropped();
@@ -123,7 +129,8 @@ void RecordedSource::add(ChunkPipe::Filling& filling, std::uint64_t now) {
         if (!place || plan_->encode(sample_, place + sizeof kCdrHead, size) != size) return lose(1);
     }
     std::memcpy(place, kCdrHead, sizeof kCdrHead);
-    filling.add({id_, sequence_++, now, now, nullptr, size + sizeof kCdrHead, 0});
+    const std::uint64_t made = stamp_ ? stamp_->read(sample_) : 0;
+    filling.add({id_, sequence_++, now, made != 0 ? made : now, nullptr, size + sizeof kCdrHead, 0});
 }
 
 void RecordedSource::addValue(ChunkPipe& pipe, std::uint64_t now) {

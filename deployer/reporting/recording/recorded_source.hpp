@@ -10,6 +10,7 @@
 #include <rtt/base/ChannelElementBase.hpp>
 #include <rtt/encoding/Plan.hpp>
 #include <rtt/encoding/SchemaText.hpp>
+#include <rtt/encoding/Stamp.hpp>
 
 #include <atomic>
 #include <cstddef>
@@ -60,6 +61,7 @@ private:
     const std::shared_ptr<const RTT::encoding::Plan> plan_;
     const RTT::encoding::SchemaText schema_;
     const void* const sample_;
+    std::unique_ptr<const RTT::encoding::Stamp> stamp_;  // null: its values have no time
     std::uint16_t id_ = 0;
     std::uint32_t sequence_ = 0;
     std::vector<RTT::base::ChannelElementBase::shared_ptr> stores_;

@@ -112,19 +112,19 @@ private:
             case Basic::Bool: {
                 std::uint8_t byte = 0;
                 if (!take(byte)) return false;
-                taker_.number(byte != 0 ? "true" : "false");
+                taker_.typedNumber(field.basic, byte != 0 ? "true" : "false");
                 return true;
             }
-            case Basic::Int8: return number<std::int8_t, std::uint8_t>();
-            case Basic::UInt8: return number<std::uint8_t, std::uint8_t>();
-            case Basic::Int16: return number<std::int16_t, std::uint16_t>();
-            case Basic::UInt16: return number<std::uint16_t, std::uint16_t>();
-            case Basic::Int32: return number<std::int32_t, std::uint32_t>();
-            case Basic::UInt32: return number<std::uint32_t, std::uint32_t>();
-            case Basic::Int64: return number<std::int64_t, std::uint64_t>();
-            case Basic::UInt64: return number<std::uint64_t, std::uint64_t>();
-            case Basic::Float32: return number<float, std::uint32_t>();
-            case Basic::Float64: return number<double, std::uint64_t>();
+            case Basic::Int8: return number<std::int8_t, std::uint8_t>(field.basic);
+            case Basic::UInt8: return number<std::uint8_t, std::uint8_t>(field.basic);
+            case Basic::Int16: return number<std::int16_t, std::uint16_t>(field.basic);
+            case Basic::UInt16: return number<std::uint16_t, std::uint16_t>(field.basic);
+            case Basic::Int32: return number<std::int32_t, std::uint32_t>(field.basic);
+            case Basic::UInt32: return number<std::uint32_t, std::uint32_t>(field.basic);
+            case Basic::Int64: return number<std::int64_t, std::uint64_t>(field.basic);
+            case Basic::UInt64: return number<std::uint64_t, std::uint64_t>(field.basic);
+            case Basic::Float32: return number<float, std::uint32_t>(field.basic);
+            case Basic::Float64: return number<double, std::uint64_t>(field.basic);
             case Basic::Text: return text();
             case Basic::WideText: return fail("texts of wide characters are not read");
         }
@@ -146,14 +146,14 @@ private:
     }
 
     template <class Number, class Bits>
-    bool number() {
+    bool number(Basic basic) {
         Bits bits = 0;
         if (!take(bits)) return false;
         Number number = 0;
         std::memcpy(&number, &bits, sizeof number);
         char text[32];
         const auto end = std::to_chars(std::begin(text), std::end(text), number).ptr;
-        taker_.number({text, static_cast<std::size_t>(end - text)});
+        taker_.typedNumber(basic, {text, static_cast<std::size_t>(end - text)});
         return true;
     }
 

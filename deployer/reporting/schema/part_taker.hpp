@@ -4,9 +4,12 @@
 #define OROFORGE_SCHEMA_PART_TAKER_HPP
 
 #include <cstddef>
+#include <cstdint>
 #include <string_view>
 
 namespace oroforge::schema {
+
+enum class Basic : std::uint8_t;  // message_schema.hpp
 
 /** Receives the parts of a message in their order. */
 class PartTaker {
@@ -21,6 +24,8 @@ public:
     virtual void endList() = 0;
     /** A number or truth value, as JSON writes it but for nan and inf. */
     virtual void number(std::string_view text) = 0;
+    /** The same with its type; overridden by what needs it. */
+    virtual void typedNumber(Basic, std::string_view text) { number(text); }
     virtual void text(std::string_view text) = 0;
 };
 

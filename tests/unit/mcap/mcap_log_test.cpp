@@ -6,6 +6,11 @@
 #include <reporting/schema/message_schema.hpp>
 #include <rtt/LogReceiver.hpp>
 #include <rtt/deployment/deployed_texts.hpp>
+#include <rtt/types/StructTable.hpp>
+
+#include <cstddef>
+#include <map>
+#include <utility>
 
 namespace {
 
@@ -86,6 +91,55 @@ TEST_F(Recorder, CountsLinesOfTheLogThatAreLost) {
     const std::uint64_t lost = std::stoull(found.allMetadata.back().texts.at("/rosout"));
     EXPECT_GE(lost, 500U);
     EXPECT_EQ(last + 1, found.messages.size() + lost);
+}
+
+struct Stamped {
+    double value = 0;
+    long long made = 0;
+};
+struct WronglyStamped {
+    double made = 0;
+};
+constexpr RTT::types::Member kStamped[] = {
+    {"value", offsetof(Stamped, value), &RTT::types::typeRef<double>, 0, "", ""},
+    {"made", offsetof(Stamped, made), &RTT::types::typeRef<long long>, 0, "When. @stamp", ""}};
+constexpr RTT::types::Member kWronglyStamped[] = {
+    {"made", offsetof(WronglyStamped, made), &RTT::types::typeRef<double>, 0, "@stamp", ""}};
+
+struct PublishTimes : Visitor {
+    void channel(const Channel& one) override { topics[one.id] = one.topic; }
+    void message(const Message& one) override { times[topics[one.channel]] = {one.logTime, one.publishTime}; }
+    std::map<std::uint16_t, std::string> topics;
+    std::map<std::string, std::pair<std::uint64_t, std::uint64_t>> times;
+};
+
+TEST_F(Recorder, HasTheStampsOfValues) {
+    RTT::types::Types()->addType(RTT::types::makeStructType<Stamped>("/test/Stamped", kStamped, 2));
+    RTT::types::Types()->addType(RTT::types::makeStructType<WronglyStamped>("/test/Wrong", kWronglyStamped, 1));
+    const LogText log;
+    RTT::TaskContext camera("Camera");
+    RTT::OutputPort<Stamped> image("image"), later("later");
+    RTT::OutputPort<WronglyStamped> wrong("wrong");
+    camera.addPort(image);
+    camera.addPort(later);
+    camera.addPort(wrong);
+    recorder->addPeer(&camera);
+    ASSERT_TRUE(recorder->reportComponent("Camera") && recorder->start());
+    image.write({1, 12345});
+    later.write({1, -5});  // no time
+    wrong.write({7});
+    recorder->stop();
+    recorder->removePeer("Camera");
+    const std::string bytes = oroforge::test::readFile(directory / "run.mcap");
+    MemorySource source(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
+    PublishTimes found;
+    (void)scan(source, found);
+    EXPECT_EQ(12345U, found.times.at("/Camera/image").second);
+    EXPECT_NE(12345U, found.times.at("/Camera/image").first);
+    for (const char* const topic : {"/Camera/later", "/Camera/wrong"})
+        EXPECT_EQ(found.times.at(topic).first, found.times.at(topic).second) << topic;
+    EXPECT_THAT(log(), HasSubstr("messages of 'Camera.wrong' have the time of the recorder: error: [MCP013] its field "
+                                 "'made' is marked @stamp"));
 }
 
 TEST_F(Recorder, HasTheTextsOfTheDeployment) {
