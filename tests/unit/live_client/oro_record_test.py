@@ -98,11 +98,11 @@ class Recording(OroCase):
         self.assertIn(done["lost"] - (last + 1 - len(messages)), range(10))
         self.assertIn(f"oroforge.lost: /hello/the_results={done['lost']} all={done['lost']}\n", self.tool("info", "gaps.mcap"))
 
-    @unittest.skipUnless("MCAP_JUDGES" in os.environ, "./dev judges installs the readers")
+    @unittest.skipUnless(pathlib.Path(os.environ.get("JUDGES", ""), "node_modules").is_dir(), "./dev judges installs the readers")
     def test_others_read_it(self):
         self.ended(self.start_recording("hello", "rosout", "-o", "others.mcap", "--buffer", "1", "--duration", "1"))
-        judge = str(pathlib.Path(SOURCES) / "tests/mcap_judges/judge.mjs")
-        done = subprocess.run(["node", judge, "count", str(self.directory / "others.mcap")], cwd=os.environ["MCAP_JUDGES"],
+        judge = str(pathlib.Path(SOURCES) / "tests/judges/recording.mjs")
+        done = subprocess.run(["node", judge, "count", str(self.directory / "others.mcap")], cwd=os.environ["JUDGES"],
                               text=True, capture_output=True, timeout=20, check=True)
         found = json.loads(done.stdout)
         missing = int(found["metadata"]["oroforge.lost"]["/hello/the_results"])

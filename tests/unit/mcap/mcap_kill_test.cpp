@@ -10,6 +10,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <map>
 #include <random>
 #include <thread>
 
@@ -46,7 +47,7 @@ TEST(KilledRecorder, LeavesAllButTheLastChunkTime) {
         ASSERT_THAT(codesOf(found.problems), testing::ElementsAre("MCP002")) << i;
         ASSERT_FALSE(found.messages.empty()) << i;
         EXPECT_LT(end - static_cast<double>(std::get<2>(found.messages.back())) / 1e9, kMissing) << i;
-        std::uint32_t next[4] = {};  // the states of the machine, too
+        std::map<std::uint16_t, std::uint32_t> next;
         for (const auto& [channel, sequence, time, data] : found.messages) ASSERT_EQ(next[channel]++, sequence) << i;
         MemorySource source(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
         MemorySink sink;
