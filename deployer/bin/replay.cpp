@@ -22,6 +22,8 @@
 #include <iostream>
 #include <optional>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -195,10 +197,11 @@ bool Replay::run(DeploymentComponent& deployer, RTT::os::SignalCatcher& ending) 
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
     const bool recorded = !record || record->finish();
     if (!outcome.error.empty()) impl_->error(impl_->options.replayFile, "RPL002", outcome.error);
-    for (const std::string& problem : impl_->player->problems()) reportLine(problem);
+    const std::vector<std::string> problems = impl_->player->problems();
+    for (const std::string& problem : problems) reportLine(problem);
     impl_->summarize(outcome, passed.count());
     const bool exact = !impl_->options.replayCheck || impl_->reportThreads();
-    return outcome.error.empty() && recorded && exact;
+    return outcome.error.empty() && problems.empty() && recorded && exact;
 }
 
 void Replay::Impl::error(const std::string& file, const char* code, const std::string& text) const {

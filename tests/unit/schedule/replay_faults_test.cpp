@@ -57,7 +57,7 @@ TEST_F(ReplayFaults, WhatIsWholeOfATruncatedFileIsReplayedAndTheRestReported) {
     text.resize(text.size() - 200);
     directory_.write("run.mcap", text);
     const Outcome outcome = replay({"-s", "app.xml"});
-    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(outcome.status, 255) << outcome.err;
     EXPECT_THAT(outcome.err, HasSubstr("[MCP0"));
     EXPECT_THAT(outcome.out, HasSubstr("replayed run.mcap: "));
     directory_.write("run.mcap", text.substr(0, 300));
