@@ -83,23 +83,11 @@ int convertToCsv(const ToolOptions& options) {
         });
     };
     read([&](const Message&, const Leaves& leaves) { table.note(leaves); });
-    std::unique_ptr<NewFile> output;
-    if (!options.output.empty() && !(output = NewFile::make(options.output))) return kFailed;
-    std::string error;
-    const auto write = [&](const std::string& line) {
-        if (!output) {
-            std::cout << line;
-        } else if (error.empty()) {
-            const Sink::Piece piece = {reinterpret_cast<const unsigned char*>(line.data()), line.size()};
-            error = output->write(&piece, 1);
-        }
-    };
-    write(table.header());
-    read([&](const Message& message, const Leaves& leaves) { write(table.row(message.logTime, leaves)); });
-    if (!error.empty()) {
-        std::cerr << options.output << ": error: " << error << "\n";
-        return kFailed;
-    }
+    const std::unique_ptr<LineOutput> output = LineOutput::make(options.output);
+    if (!output) return kFailed;
+    output->write(table.header());
+    read([&](const Message& message, const Leaves& leaves) { output->write(table.row(message.logTime, leaves)); });
+    if (!output->finish()) return kFailed;
     return file->isDamaged() || decoders.failed() ? kDamaged : kGood;
 }
 

@@ -9,7 +9,6 @@
 #include <charconv>
 #include <cstdio>
 #include <cstdlib>
-#include <iostream>
 #include <map>
 #include <set>
 #include <string>
@@ -120,21 +119,14 @@ int convertToTable(const ToolOptions& options) {
     };
     Rows rows;
     read([&](const Channel& channel, const Message&, const Leaves& leaves) { rows.note(channel, leaves); });
-    std::unique_ptr<NewFile> output;
-    if (!options.output.empty() && !(output = NewFile::make(options.output))) return kFailed;
-    std::string error;
-    const auto write = [&](const std::string& line) {
-        if (!output) {
-            std::cout << line;
-        } else if (error.empty()) {
-            const Sink::Piece piece = {reinterpret_cast<const unsigned char*>(line.data()), line.size()};
-            error = output->write(&piece, 1);
-        }
-    };
-    write(rows.header());
+    const std::unique_ptr<LineOutput> output = LineOutput::make(options.output);
+    if (!output) return kFailed;
+    output->write(rows.header());
     bool hasRow = false;
     std::uint64_t begin = 0, time = 0;
-    const auto writeRow = [&] { write(rows.row((static_cast<double>(time) - static_cast<double>(begin)) / 1e9)); };
+    const auto writeRow = [&] {
+        output->write(rows.row((static_cast<double>(time) - static_cast<double>(begin)) / 1e9));
+    };
     read([&](const Channel& channel, const Message& message, const Leaves& leaves) {
         if (!hasRow) begin = message.logTime;
         if (hasRow && message.logTime != time) writeRow();
@@ -143,10 +135,7 @@ int convertToTable(const ToolOptions& options) {
         rows.take(channel, leaves);
     });
     if (hasRow) writeRow();
-    if (!error.empty()) {
-        std::cerr << options.output << ": error: " << error << "\n";
-        return kFailed;
-    }
+    if (!output->finish()) return kFailed;
     return file->isDamaged() || decoders.failed() ? kDamaged : kGood;
 }
 

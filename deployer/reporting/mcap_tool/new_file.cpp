@@ -43,4 +43,32 @@ std::string NewFile::write(const Piece* pieces, std::size_t count) {
     return {};
 }
 
+std::unique_ptr<LineOutput> LineOutput::make(const std::string& name) {
+    std::unique_ptr<NewFile> file;
+    if (!name.empty() && !(file = NewFile::make(name))) return nullptr;
+    return std::unique_ptr<LineOutput>(new LineOutput(name, std::move(file)));
+}
+
+void LineOutput::write(const std::string& line) {
+    constexpr std::size_t kAtOnce = 65536;
+    if (!file_) {
+        std::cout << line;
+        return;
+    }
+    waiting_ += line;
+    if (waiting_.size() >= kAtOnce) flush();
+}
+
+void LineOutput::flush() {
+    const Sink::Piece piece = {reinterpret_cast<const unsigned char*>(waiting_.data()), waiting_.size()};
+    if (error_.empty()) error_ = file_->write(&piece, 1);
+    waiting_.clear();
+}
+
+bool LineOutput::finish() {
+    if (file_) flush();
+    if (!error_.empty()) std::cerr << name_ << ": error: " << error_ << "\n";
+    return error_.empty();
+}
+
 }  // namespace oroforge::mcap

@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 
 namespace oroforge::mcap {
 
@@ -26,6 +27,25 @@ public:
 private:
     explicit NewFile(int file) : file_(file) {}
     const int file_;
+};
+
+/** Lines for a new file, or for standard output. */
+class LineOutput {
+public:
+    /** Null, with the error on standard error, if there can be no such file. Without a name: standard output. */
+    static std::unique_ptr<LineOutput> make(const std::string& name);
+
+    void write(const std::string& line);
+    /** False, with the error on standard error, if the file has not got all lines. */
+    bool finish();
+
+private:
+    LineOutput(std::string name, std::unique_ptr<NewFile> file) : name_(std::move(name)), file_(std::move(file)) {}
+    void flush();
+
+    const std::string name_;
+    const std::unique_ptr<NewFile> file_;  // null: standard output
+    std::string waiting_, error_;
 };
 
 }  // namespace oroforge::mcap
