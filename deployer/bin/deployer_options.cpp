@@ -59,6 +59,8 @@ const struct {
     {"replay", Takes::Word,
      "replay this recording (.mcap) in simulated time: components that only sent what it has are replaced; end when it "
      "has ended"},
+    {"replace", Takes::Word,
+     "which components are replaced in the replay, such as camera,imu; without it, those that only sent what it has"},
     {"record", Takes::Word,
      "record what the components of the replay send to this file; the same replay gives the same bytes"},
     {"replay-speed", Takes::Word,

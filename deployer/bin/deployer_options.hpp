@@ -36,11 +36,12 @@ struct Options {
     bool lockMemory = false;
     bool requireNameService = false;
     int minimumProcessors = 0;
-    std::size_t realTimeMemory = 0;  // bytes; 0: not given
-    std::size_t maxElements = 0;     // 0: not given
-    std::string replayFile;          // a recording; empty: components run in real time
-    std::string recordFile;          // what its components send; empty: it is not recorded
-    bool tolerate = false;           // recorded types may differ
+    std::size_t realTimeMemory = 0;     // bytes; 0: not given
+    std::size_t maxElements = 0;        // 0: not given
+    std::string replayFile;             // a recording; empty: components run in real time
+    std::string recordFile;             // what its components send; empty: it is not recorded
+    std::vector<std::string> replaced;  // by the recording; empty: those that only sent what it has
+    bool tolerate = false;              // recorded types may differ
     bool replayCheck = false;
     double replaySpeed = 0;  // 0: as fast as possible
     bool live = true;        // other programs of this user may look at the deployment

@@ -9,6 +9,7 @@
 #include "program_report.hpp"
 #include "replay_record.hpp"
 
+#include <diag/nearest_match.hpp>
 #include <rtt/Logger.hpp>
 #include <rtt/TaskContext.hpp>
 #include <rtt/internal/located_log.hpp>
@@ -21,6 +22,7 @@
 #include <iomanip>
 #include <iostream>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -99,11 +101,18 @@ private:
 /** Gives the deployers what the recording has. */
 class Recorded final : public RecordedPorts {
 public:
-    explicit Recorded(replay::Player& player) : ports_(player) { setRecordedPorts(this); }
+    /** @param wanted the components that are to be replaced; empty: that is left to their ports. */
+    Recorded(replay::Player& player, const std::vector<std::string>& wanted)
+        : ports_(player), wanted_(wanted.begin(), wanted.end()) {
+        setRecordedPorts(this);
+    }
     ~Recorded() override { setRecordedPorts(nullptr); }
     bool hasComponent(const std::string& component) const override { return ports_.hasComponent(component); }
     bool hasPort(const std::string& component, const std::string& port) const override {
         return ports_.hasPort(component, port);
+    }
+    std::optional<bool> isWanted(const std::string& component) const override {
+        return wanted_.empty() ? std::nullopt : std::optional<bool>(wanted_.count(component) != 0);
     }
     void addPorts(RTT::TaskContext& component, std::map<std::string, std::string>& problems) override {
         ports_.addPorts(component, problems);
@@ -111,6 +120,7 @@ public:
 
 private:
     schedule::StandIns ports_;
+    const std::set<std::string> wanted_;
 };
 
 std::string seconds(double value) {
@@ -152,7 +162,9 @@ struct Replay::Impl {
     std::optional<Recorded> recorded;
     std::optional<schedule::Schedule> schedule;
 
+    std::string noComponent(const std::string& name) const;
     void error(const std::string& file, const char* code, const std::string& text) const;
+    void warnOfNothing() const;
     void summarize(const schedule::Schedule::Outcome& outcome, double passed) const;
     /** For --replay-check: what the schedule has seen of other threads. True if there is nothing. */
     bool reportThreads() const;
@@ -175,7 +187,12 @@ std::unique_ptr<Replay> Replay::open(const Options& options, ProgramReport& repo
         return nullptr;
     }
     impl->lock.emplace(options.replayFile);
-    impl->recorded.emplace(*impl->player);
+    impl->recorded.emplace(*impl->player, options.replaced);
+    for (const std::string& name : options.replaced)
+        if (!impl->recorded->hasComponent(name)) {
+            impl->error("--replace", "RPL012", impl->noComponent(name));
+            return nullptr;
+        }
     impl->schedule.emplace(impl->player->begin());
     impl->schedule->setSpeed(options.replaySpeed);
     return std::unique_ptr<Replay>(new Replay(std::move(impl)));
@@ -199,6 +216,7 @@ bool Replay::run(DeploymentComponent& deployer, RTT::os::SignalCatcher& ending) 
     if (!outcome.error.empty()) impl_->error(impl_->options.replayFile, "RPL002", outcome.error);
     const std::vector<std::string> problems = impl_->player->problems();
     for (const std::string& problem : problems) reportLine(problem);
+    if (outcome.isComplete && impl_->player->written() == 0 && problems.empty()) impl_->warnOfNothing();
     impl_->summarize(outcome, passed.count());
     const bool exact = !impl_->options.replayCheck || impl_->reportThreads();
     return outcome.error.empty() && problems.empty() && recorded && exact;
@@ -209,6 +227,24 @@ void Replay::Impl::error(const std::string& file, const char* code, const std::s
     diag::Location where;
     where.file = file;
     sink.error(where, code, text);
+    deploy::report(sink);
+}
+
+std::string Replay::Impl::noComponent(const std::string& name) const {
+    std::vector<std::string> known;
+    for (const replay::Topic& topic : player->topics())
+        if (!topic.component.empty()) known.push_back(topic.component);
+    return "the recording has no component '" + name + "'" + diag::didYouMean(name, known);
+}
+
+void Replay::Impl::warnOfNothing() const {
+    diag::Sink sink;
+    diag::Location where;
+    where.file = options.replayFile;
+    sink.warning(
+        where, "RPL013",
+        "nothing of the recording was replayed: its components run themselves, or are not in the deployment; the "
+        "log says why they run, and --replace names what is to be replaced");
     deploy::report(sink);
 }
 

@@ -3,17 +3,32 @@
 #include "option_values.hpp"
 
 #include <cstdlib>
+#include <sstream>
+#include <string>
+#include <vector>
 
 namespace OCL::deploy {
 
 namespace po = boost::program_options;
 
+namespace {
+
+void takeNames(const std::string& value, std::vector<std::string>& names, std::string& error) {
+    std::istringstream words(value);
+    for (std::string word; std::getline(words, word, ',');)
+        if (!word.empty()) names.push_back(word);
+    if (names.empty()) error = "--replace names no component";
+}
+
+}  // namespace
+
 void takeReplay(const po::variables_map& values, Options& options, std::string& error) {
     if (values.count("replay")) options.replayFile = values["replay"].as<std::string>();
     if (values.count("record")) options.recordFile = values["record"].as<std::string>();
+    if (values.count("replace")) takeNames(values["replace"].as<std::string>(), options.replaced, error);
     options.tolerate = values.count("tolerate") != 0;
     options.replayCheck = values.count("replay-check") != 0;
-    for (const char* name : {"record", "replay-speed", "tolerate", "replay-check"})
+    for (const char* name : {"replace", "record", "replay-speed", "tolerate", "replay-check"})
         if (values.count(name) && !values.count("replay"))
             error = std::string("--") + name + " is of no use without --replay";
     for (const char* name : {"replay", "record"})

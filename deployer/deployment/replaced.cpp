@@ -43,9 +43,10 @@ bool hasInput(const std::string& type, const std::string& port = std::string()) 
            });
 }
 
-/** True if the file does not tell all of its connections. */
+/** True if neither the file tells all of its connections nor users want it to be replaced. */
 bool isUnclear(const ComponentPlan& component) {
-    return component.ports.empty() || component.autoConnect.value_or(false);
+    return (component.ports.empty() || component.autoConnect.value_or(false)) &&
+           !present->isWanted(component.name.value);
 }
 
 bool isKnown(const std::string& type) { return RTT::ComponentLoader::Instance()->getFactories().count(type) != 0; }
@@ -66,8 +67,11 @@ std::string whyReal(const ComponentPlan& component, const std::set<std::string>&
     const std::string& name = component.name.value;
     if (isRecorder(component.type.value)) return {};
     if (!present->hasComponent(name)) return "it was not recorded";
+    const std::optional<bool> wanted = present->isWanted(name);
+    if (wanted && !*wanted) return "--replace does not name it";
     if (!component.members.empty()) return "it is a chain";
     if (masters.count(name)) return "it executes others";
+    if (wanted) return {};
     for (const PortPlan& port : component.ports) {
         const std::string& portName = port.port.value;
         if (!present->hasPort(name, portName)) return "its port '" + portName + "' was not recorded";
@@ -86,7 +90,11 @@ void keepOnlyPorts(ComponentPlan& component) {
     kept.ports = component.ports;
     kept.peers = component.peers;
     kept.isReplaced = true;
-    if (isRecorder(component.type.value)) kept.ports.clear();
+    // Users want it to be replaced in spite of its inputs.
+    const auto isMissing = [&](const PortPlan& port) {
+        return !present->hasPort(component.name.value, port.port.value);
+    };
+    kept.ports.erase(std::remove_if(kept.ports.begin(), kept.ports.end(), isMissing), kept.ports.end());
     component = std::move(kept);
 }
 
@@ -112,8 +120,10 @@ ComponentPlan planOf(const std::string& name, const std::string& type) {
     plan.name.value = name;
     plan.type.value = type;
     if (!present) return plan;
-    plan.isReplaced = isRecorder(type) || (present->hasComponent(name) && !isKnown(type));
-    plan.isReplacedWithoutInput = !plan.isReplaced && present->hasComponent(name);
+    const std::optional<bool> wanted = present->isWanted(name);
+    const bool mayBe = present->hasComponent(name) && wanted.value_or(true);
+    plan.isReplaced = isRecorder(type) || (mayBe && (wanted || !isKnown(type)));
+    plan.isReplacedWithoutInput = !plan.isReplaced && mayBe;
     return plan;
 }
 
@@ -159,7 +169,12 @@ RTT::TaskContext* createStandIn(Session& session, ComponentPlan& component, int 
     if (component.isReplacedWithoutInput) {
         RTT::TaskContext* const itself = createItself(session, name, component.type.value, group, error);
         if (!itself) return nullptr;
-        if (hasInput(*itself->provides())) return itself;
+        if (hasInput(*itself->provides())) {
+            RTT::log(RTT::Info) << "component '" << name
+                                << "' runs, it is not replayed: it has an input; --replace=" << name << " replaces it"
+                                << RTT::endlog();
+            return itself;
+        }
         (void)unloadOne(session, *itself);
         keepOnlyPorts(component);
     }

@@ -9,6 +9,7 @@
 #include <diag/sink.hpp>
 
 #include <map>
+#include <optional>
 #include <string>
 
 namespace RTT {
@@ -26,6 +27,8 @@ public:
     virtual ~RecordedPorts() = default;
     virtual bool hasComponent(const std::string& component) const = 0;
     virtual bool hasPort(const std::string& component, const std::string& port) const = 0;
+    /** Whether users want this component to be replaced; none if that is left to its ports. */
+    virtual std::optional<bool> isWanted(const std::string& component) const = 0;
     /** Adds the recorded output ports to what stands for the component of that name. `problems` gets, by port, why one
         is missing. */
     virtual void addPorts(RTT::TaskContext& component, std::map<std::string, std::string>& problems) = 0;
@@ -39,8 +42,8 @@ RecordedPorts* recordedPorts();
 /**
  * Marks the components of a plan that are replaced, and removes from it what they cannot have: properties, services,
  * scripts, and an activity. A component is replaced if the recording has all of its connected ports, and so none of
- * them is an input; and so is a recorder, which would write over the recording. If neither files nor libraries tell
- * of an input, and its type is known, a component is made and asked.
+ * them is an input, or if users want it; and so is a recorder, which would write over the recording. If neither files
+ * nor libraries tell of an input, and its type is known, a component is made and asked.
  */
 void replaceRecorded(const Session& session, Plan& plan);
 

@@ -19,8 +19,11 @@ protected:
 };
 
 TEST_F(ReplayFaults, OptionsThatNeedAReplay) {
-    for (const auto& words : std::vector<std::vector<std::string>>{
-             {"--record", "one.mcap"}, {"--tolerate"}, {"--replay-speed", "2"}, {"--replay-check"}}) {
+    for (const auto& words : std::vector<std::vector<std::string>>{{"--record", "one.mcap"},
+                                                                   {"--replace", "camera"},
+                                                                   {"--tolerate"},
+                                                                   {"--replay-speed", "2"},
+                                                                   {"--replay-check"}}) {
         std::vector<std::string> all = words;
         all.insert(all.end(), {"-s", "app.xml"});
         const Outcome outcome = start(all);
@@ -122,6 +125,14 @@ TEST_F(ReplayFaults, TheRecordingItselfIsNotWrittenOver) {
     EXPECT_EQ(outcome.status, 255);
     EXPECT_THAT(outcome.err, HasSubstr("--record would write over the recording that is replayed"));
     EXPECT_EQ(bytes("run.mcap"), before);
+}
+
+TEST_F(ReplayFaults, AComponentThatIsNotInTheRecording) {
+    const Outcome outcome = replay({"--replace", "camera,vewer", "-s", "app.xml"});
+    EXPECT_EQ(outcome.status, 255);
+    EXPECT_THAT(outcome.err, HasSubstr("--replace: error: [RPL012] the recording has no component 'vewer'; did you "
+                                       "mean 'viewer'?"));
+    EXPECT_THAT(replay({"--replace", ",", "-s", "app.xml"}).err, HasSubstr("--replace names no component"));
 }
 
 TEST_F(ReplayFaults, AFileThatCannotBeWritten) {

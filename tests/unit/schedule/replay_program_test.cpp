@@ -207,6 +207,25 @@ TEST_F(ReplayProgram, ScriptsFindWhatIsReplaced) {
     EXPECT_THAT(bytes("one.mcap"), HasSubstr("/viewer/seen"));
 }
 
+TEST_F(ReplayProgram, WhatIsReplacedMayBeNamed) {
+    const char* const packages[] = {"recorded", "runs", "types"};
+    const std::vector<std::string> all(std::begin(packages), std::end(packages));
+    ASSERT_EQ(replay({"--replace", "viewer", "--record", "one.mcap", "-s", "app.xml"}, all).status, 0) << log();
+    EXPECT_THAT(log(), HasSubstr("component 'camera' runs, it is not replayed: --replace does not name it"));
+    EXPECT_THAT(log(), HasSubstr("component 'viewer' is not created: the recording has its ports"));
+    EXPECT_THAT(bytes("one.mcap"), HasSubstr("/camera/image"));
+    directory_.write("app.ops",
+                     "import(\"poses\")\nimport(\"control\")\n"
+                     "loadComponent(\"viewer\", \"replaytest::Viewer\")\nviewer.start()\n");
+    const Outcome itself = replay({"-s", "app.ops"}, all);
+    EXPECT_EQ(itself.status, 0);
+    EXPECT_THAT(itself.err, HasSubstr("run.mcap: warning: [RPL013] nothing of the recording was replayed"));
+    EXPECT_THAT(log(), HasSubstr("component 'viewer' runs, it is not replayed: it has an input; --replace=viewer"));
+    const Outcome named = replay({"--replace=viewer", "-s", "app.ops"}, all);
+    EXPECT_EQ(named.status, 0);
+    EXPECT_THAT(named.err, Not(HasSubstr("RPL013")));
+}
+
 TEST_F(ReplayProgram, AScriptThatWaitsForASignalLetsTheReplayBegin) {
     directory_.write("wait.ops", "waitForInterrupt()\n");
     const Outcome outcome = replay({"-s", "app.xml", "-s", "wait.ops"});
