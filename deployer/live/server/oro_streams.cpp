@@ -144,6 +144,7 @@ void OroStreams::endWatch(Watch& watch, const json& message, const json& id) {
     json answer = json::object();
     if (watch.batches && rest == true) (void)readAll(watch, 0);
     if (watch.batches) answer["next"] = watch.batches->next();
+    watch.port.reset();  // before the answer, which tells that the port is free
     const Frame frame{oroAnswer(id, std::move(answer)), false};
     if (watch.batches && rest == true) return client_.queue().addBehind(watch.channel, frame);
     client_.queue().forget(watch.channel);
