@@ -11,22 +11,23 @@ namespace RTT::internal {
 
 namespace {
 std::atomic<OtherOrder*> present{nullptr};
+thread_local OtherOrder* ofThisThread __attribute__((tls_model("initial-exec"))) = nullptr;
 constexpr std::int64_t kMillisecond = 1000000;
 }  // namespace
-
-thread_local OtherOrder* OtherOrder::ofThisThread_ = nullptr;
 
 OtherOrder::~OtherOrder() = default;
 
 void OtherOrder::install(OtherOrder* order) noexcept {
     present = order;
-    ofThisThread_ = order;
+    ofThisThread = order;
 }
 
 OtherOrder* OtherOrder::installed() noexcept { return present.load(std::memory_order_acquire); }
 
-std::int64_t OtherOrder::soon(std::int64_t deadline) {
-    return std::min<std::int64_t>(deadline, rtos_get_time_ns() + kMillisecond);
+bool OtherOrder::executedHere() { return ofThisThread && ofThisThread->executeOne(); }
+
+std::int64_t OtherOrder::limit(std::int64_t deadline) {
+    return ofThisThread ? std::min<std::int64_t>(deadline, rtos_get_time_ns() + kMillisecond) : deadline;
 }
 
 }  // namespace RTT::internal

@@ -37,13 +37,9 @@ public:
 
     /** For a thread that is about to sleep until another one has done something: true if it has executed something and
         must look again. Real-time safe, and costs nothing, without such an order. */
-    static bool executedHere() { return ofThisThread_ != nullptr && ofThisThread_->executeOne(); }
+    static bool executedHere();
     /** How long (monotonic ns) such a thread may sleep: another thread may trigger a component meanwhile. */
-    static std::int64_t limit(std::int64_t deadline) { return ofThisThread_ == nullptr ? deadline : soon(deadline); }
-
-private:
-    static std::int64_t soon(std::int64_t deadline);
-    static thread_local OtherOrder* ofThisThread_ __attribute__((tls_model("initial-exec")));
+    static std::int64_t limit(std::int64_t deadline);
 };
 
 }  // namespace internal
