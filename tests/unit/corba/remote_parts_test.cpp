@@ -65,7 +65,11 @@ struct Channel {
         EXPECT_TRUE(before->connectTo(writer));
         EXPECT_TRUE(reader->connectTo(behind));
     }
-    ~Channel() { before->disconnect(true); }
+    ~Channel() {
+        before->disconnect(true);
+        // The reader ends in a thread of the ORB, which the end of the process may overtake.
+        EXPECT_TRUE(soon([&] { return remote->_non_existent(); }));
+    }
     static boost::intrusive_ptr<End> newEnd(const ConnPolicy& policy) {
         static const corba::CorbaTemplateProtocol<double> transporter;
         corba::CRemoteChannelElement_i* const made =

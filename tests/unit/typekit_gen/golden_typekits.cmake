@@ -130,6 +130,7 @@ if(TARGET orocos-ocl-reporting-mcap)
       JUDGES_DIR="${PROJECT_BINARY_DIR}/tests/judges" JUDGE="${PROJECT_SOURCE_DIR}/tests/judges/recording.mjs"
     DEPENDS rtt-typekit ${golden_typekits}
     ENVIRONMENT ORO_LOGLEVEL=0 ORO_LOGFILE=/dev/null)
+  _oroforge_collect_test(unit mcap_judges_test)
   add_test(NAME mcap_all_values_test COMMAND mcap_judges_test --gtest_filter=AllValues.*)
   set_tests_properties(mcap_all_values_test PROPERTIES LABELS unit ENVIRONMENT "ORO_LOGLEVEL=0;ORO_LOGFILE=/dev/null")
 endif()
