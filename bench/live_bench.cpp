@@ -132,8 +132,8 @@ private:
 
 void pause() { std::this_thread::sleep_for(std::chrono::seconds(2)); }
 
-/** Lateness of a component of 1 kHz that four clients watch, of which one is stopped, to that of one that nobody
-    watches. */
+/** How late a component of 1 kHz is when four clients watch it, one of them stopped, against the same component without
+    clients. */
 void latenessWatchedByFour(benchmark::State& state) {
     Deployment deployment(1);
     const auto lateness = [&] {

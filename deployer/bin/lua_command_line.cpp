@@ -53,7 +53,7 @@ std::string luaUsage(const std::string& program) {
            "  -i       reads what is typed, after the script\n"
            "  -v       shows versions\n"
            "  --no-live, --web[=ADDRESS:PORT], --web-allow=WORDS, --web-origin=SITES, --web-token-file=FILE\n"
-           "           as those of the deployer: who may look at the components\n"
+           "           as those of the deployer: what others may see and do\n"
            "  --       ends the options\n"
            "  -        takes standard input as the script\n"
            "Without script and options, it reads what is typed, or executes standard input.\n";
