@@ -57,7 +57,7 @@ struct FileDescriptorActivityTest : testing::Test {
     ~FileDescriptorActivityTest() override { a.stop(); }
     void startIdle() {
         ASSERT_TRUE(a.start());
-        ASSERT_TRUE(eventually([&] { return r.triggers == 1; }));  // what start() itself executes
+        ASSERT_TRUE(eventually([&] { return r.worked == 1; }));  // the end of what start() itself executes
     }
 };
 

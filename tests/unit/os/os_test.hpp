@@ -32,7 +32,7 @@ bool eventually(Predicate&& predicate, double seconds = 20.0) {
 /** Counts every call. Each action, if set, runs in the call of the same name. */
 struct CountingRunner : RTT::base::RunnableInterface {
     std::atomic<int> initialized{0}, steps{0}, loops{0}, finalized{0}, breaks{0};
-    std::atomic<int> timeouts{0}, triggers{0}, ios{0};
+    std::atomic<int> timeouts{0}, triggers{0}, ios{0}, worked{0};
     std::atomic<bool> initializeResult{true}, breakResult{true}, hasWorkResult{false};
     std::function<void()> onStep, onLoop, onFinalize;
     std::function<void(WorkReason)> onWork;
@@ -61,6 +61,7 @@ struct CountingRunner : RTT::base::RunnableInterface {
     void work(WorkReason reason) override {
         ++(reason == Trigger ? triggers : reason == TimeOut ? timeouts : ios);
         if (onWork) onWork(reason);
+        ++worked;
     }
 };
 
