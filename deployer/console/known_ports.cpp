@@ -59,9 +59,8 @@ std::string KnownPorts::nameOf(const PortInterface* port) const {
 std::string KnownPorts::partnerOf(const RTT::internal::ConnectionManager::ChannelDescriptor& connection) const {
     const auto& id = connection.get<0>();
     const PortInterface* const peer = id->peer() ? id->peer() : id->partner();
-    if (!peer) return id->toString();
-    const std::string name = nameOf(peer);
-    return name.empty() ? "another port" : name;
+    const std::string name = peer ? nameOf(peer) : std::string();
+    return name.empty() ? id->toString() : name;
 }
 
 Source KnownPorts::lastSample(const PortInterface& port) const {

@@ -31,7 +31,7 @@ public:
     const std::vector<std::pair<std::string, RTT::TaskContext*>>& components() const { return components_; }
     /** "Arm.gripper.force", with the name of the component as its peers call it; empty if it is not known. */
     std::string nameOf(const RTT::base::PortInterface* port) const;
-    /** The port or stream at the other end of a connection; "another port" if that is not known. */
+    /** The port or stream at the other end of a connection; its own name if it is no port of these components. */
     std::string partnerOf(const RTT::internal::ConnectionManager::ChannelDescriptor& connection) const;
     /** The last sample of a port, without taking it; null if that is not known. For an input port it is what the output
         port at the other end wrote last. */

@@ -18,9 +18,6 @@ using RTT::encoding::ByteOrder;
 
 /** In front of each value: plain CDR in the order of this machine. */
 constexpr char kCdrHead[4] = {0, RTT::encoding::kNativeOrder == ByteOrder::Little ? 1 : 0, 0, 0};
-/** In lists of connections; it belongs to no component. */
-const char kPortName[] = "live window";
-
 constexpr std::size_t kMostMemory = 8 * 1024 * 1024;
 constexpr unsigned kMostOfOne = 4, kMostOfAll = 32;
 
@@ -98,7 +95,7 @@ std::unique_ptr<PortWatch> PortWatch::make(RTT::base::OutputPortInterface& port,
         return nullptr;
     }
     std::unique_ptr<RTT::base::InputPortInterface> own(clone);
-    (void)own->setName(kPortName);
+    (void)own->setName(kName);
     std::unique_ptr<PortWatch> watch(new PortWatch(std::move(own), std::move(value)));
     watch->json_ = std::move(json);
     watch->plan_ = std::move(plan);

@@ -26,6 +26,8 @@ enum class SampleForm { Json, Cdr };
  */
 class PortWatch {
 public:
+    /** Of the other end, in lists of connections. It belongs to no component. */
+    static constexpr char kName[] = "live window";
     struct Options {
         SampleForm form = SampleForm::Json;
         /** So many samples wait for read(), older ones are dropped; 0: only the newest. Fewer, if the present sample

@@ -8,13 +8,16 @@ namespace RTT::internal {
 
 ConnID::~ConnID() = default;
 
+LocalConnID::LocalConnID(base::PortInterface const* port)
+    : ptr(port), name_(port ? port->getFullName() : "(no port)") {}
+
 bool LocalConnID::isSameID(ConnID const& id) const {
     const LocalConnID* other = dynamic_cast<const LocalConnID*>(&id);
     return other && other->ptr == ptr;
 }
 
-LocalConnID* LocalConnID::clone() const { return new LocalConnID(ptr); }
-std::string LocalConnID::toString() const { return ptr ? ptr->getFullName() : "(no port)"; }
+LocalConnID* LocalConnID::clone() const { return new LocalConnID(*this); }
+std::string LocalConnID::toString() const { return name_; }
 
 bool StreamConnID::isSameID(ConnID const& id) const {
     const StreamConnID* other = dynamic_cast<const StreamConnID*>(&id);

@@ -30,13 +30,17 @@ public:
 /** The other end is a port of this process. */
 class RTT_API LocalConnID : public ConnID {
 public:
-    explicit LocalConnID(base::PortInterface const* port) : ptr(port) {}
+    explicit LocalConnID(base::PortInterface const* port);
     bool isSameID(ConnID const& id) const override;
     LocalConnID* clone() const override;
+    /** The full name that the port had when this was made. */
     std::string toString() const override;
     base::PortInterface* peer() const override { return const_cast<base::PortInterface*>(ptr); }
 
     base::PortInterface const* const ptr;
+
+private:
+    const std::string name_;  // the port may be destroyed before a copy of this is
 };
 
 /** The other end is a transport's stream. */
