@@ -5,6 +5,9 @@
 #include <rtt/encoding/detail/form_builder.hpp>
 #include <rtt/encoding/detail/json_reader.hpp>
 #include <rtt/encoding/detail/json_writer.hpp>
+#include <rtt/encoding/detail/schema_json.hpp>
+
+#include <nlohmann/json.hpp>
 
 #include <exception>
 #include <utility>
@@ -41,6 +44,12 @@ std::string Json::parse(std::string_view text, void* value) const {
         return std::string("the type refuses the value: ") + thrown.what();
     }
     return reader.error();
+}
+
+std::string Json::schema() const {
+    const nlohmann::json described = detail::jsonSchema(*form_);
+    return described.is_null() ? std::string()
+                               : described.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 }  // namespace RTT::encoding

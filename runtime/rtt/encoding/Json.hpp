@@ -43,6 +43,11 @@ public:
         text, expected a number". */
     std::string parse(std::string_view text, void* value) const;
 
+    /** Describes the texts in the part of JSON Schema that Foxglove reads: objects, their fields with descriptions, and
+        arrays of objects, texts, numbers or truth values. Fields with other arrays, variants and structs that contain
+        themselves are left out; empty if the type itself is such. Allocates. */
+    std::string schema() const;
+
 private:
     explicit Json(std::shared_ptr<const detail::Form> form);
 

@@ -87,3 +87,17 @@ TEST_F(EncodedTypes, FieldsThatJsonLacksKeepTheirValues) {
     EXPECT_EQ(jsonOf<Tank>()->parse(R"({"small": 2})", &tank), "");
     EXPECT_TRUE(tank.id == 4 && tank.small == 2);
 }
+
+TEST_F(EncodedTypes, JsonHasASchemaThatFoxgloveReads) {
+    const auto schemaOf = [](const auto& json) { return json->schema(); };
+    EXPECT_EQ(schemaOf(jsonOf<bool>()), R"({"type":"boolean"})");
+    EXPECT_EQ(schemaOf(jsonOf<sample::Mode>()), R"({"enum":["Idle","Filling","Draining","Emptying"],"type":"string"})");
+    const std::string tank = schemaOf(jsonOf<Tank>());
+    EXPECT_THAT(tank, testing::HasSubstr(R"("label":{"type":"string"})"));
+    EXPECT_THAT(tank, testing::HasSubstr(R"("levels":{"items":{"type":"number"},"type":"array"})"));
+    EXPECT_THAT(tank, testing::HasSubstr(R"("weights":{"items":{"type":"number"},"type":"array"})"));
+    EXPECT_THAT(tank, testing::HasSubstr(R"("path":{"items":{"properties":{"x":)"));
+    // What Foxglove does not read, and would refuse the whole service for.
+    EXPECT_EQ(schemaOf(jsonOf<encoded::Matrix>()), "");
+    EXPECT_EQ(schemaOf(jsonOf<encoded::Tree>()), R"({"properties":{"value":{"type":"integer"}},"type":"object"})");
+}
