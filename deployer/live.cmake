@@ -21,6 +21,8 @@ add_library(orocos-ocl-live SHARED
   live/server/access.cpp
   live/server/find_port.cpp
   live/server/foxglove_model.cpp
+  live/server/foxglove_graph.cpp
+  live/server/foxglove_service.cpp
   live/server/foxglove_session.cpp
   live/server/foxglove_text.cpp
   live/server/live_client.cpp

@@ -6,12 +6,11 @@
 //
 // The exit status is 1 if something is not as it should be, 77 without the packages, which `./dev judges` installs.
 import assert from "node:assert/strict";
-import { spawn } from "node:child_process";
-import { existsSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { existsSync } from "node:fs";
 import { createRequire } from "node:module";
-import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { createInterface } from "node:readline";
+
+import { deploy } from "./deployed.mjs";
 
 const [deployer, components] = process.argv.slice(2);
 if (!existsSync("node_modules")) {
@@ -24,34 +23,6 @@ const { FoxgloveClient } = require("@foxglove/ws-protocol");
 const { parse: parseRos } = require("@foxglove/rosmsg");
 const { MessageReader } = require("@foxglove/rosmsg2-serialization");
 const { WebSocket } = require("ws");
-
-const script = `
-import("filling")
-loadComponent("tank", "filling::Tank")
-loadComponent("pump", "filling::Pump")
-connect("pump.flow", "tank.flow", ConnPolicy())
-tank.capacity = 1.5
-tank.configure()
-tank.start()
-`;
-
-const folder = mkdtempSync(join(tmpdir(), "judge-"));
-writeFileSync(join(folder, "app.ops"), script);
-
-// A deployer that has executed the script, and the lines that it prints.
-async function deploy() {
-  const may = "--web-allow=properties,operations";
-  const program = spawn(deployer, ["-s", "app.ops", "--web=127.0.0.1:0", may], {
-    cwd: folder,
-    env: { ...process.env, RTT_COMPONENT_PATH: components, XDG_RUNTIME_DIR: folder, ORO_LOGFILE: "/dev/null" },
-    stdio: ["pipe", "pipe", "inherit"],
-  });
-  for await (const line of createInterface({ input: program.stdout })) {
-    const url = /live window: (\S+)/.exec(line);
-    if (url) return { program, url: url[1] };
-  }
-  throw new Error("the deployer ended");
-}
 
 // Waits for events of a client. `all` has those that came before, by name.
 class Events {
@@ -120,12 +91,17 @@ async function look(url, typed, protocol) {
     });
   call(1, { level: 1.25 });
   const answer = await events.get("serviceCallResponse", (one) => one.callId === 1);
-  assert.match(new TextDecoder().decode(answer.data), /true/);
+  assert.deepEqual(JSON.parse(new TextDecoder().decode(answer.data)), { result: true });
   const filled = await sample(1.25);
   const age = BigInt(Date.now()) * 1000000n - filled.timestamp;
   assert(age > -1000000000n && age < 15000000000n, `the sample is ${age} ns old`);
+  const schemas = [fill.request.schema, fill.response.schema].map((one) => JSON.parse(one).properties);
+  assert.deepEqual([schemas[0].level.type, schemas[1].result.type], ["number", "boolean"]);
   call(2, { level: "high" });
   assert.match((await events.get("serviceCallFailure", (one) => one.callId === 2)).message, /level|double|number/);
+
+  call(3, { volume: 1 });
+  assert.match((await events.get("serviceCallFailure", (one) => one.callId === 3)).message, /'level' is missing/);
 
   client.getParameters([], "all");
   const all = await events.get("parameterValues", (one) => one.id === "all");
@@ -145,8 +121,11 @@ async function look(url, typed, protocol) {
   const flow = (topics) => topics.find((one) => one.name === "/pump/flow");
   assert.deepEqual(flow(graph.publishedTopics).publisherIds, ["pump"]);
   assert.deepEqual(flow(graph.subscribedTopics).subscriberIds, ["tank"]);
+  const named = (all, name) => all.find((one) => one.name === name);
+  assert.deepEqual(named(graph.subscribedTopics, "/tank/level").subscriberIds, []); // not this client
+  assert.deepEqual(named(graph.advertisedServices, "/tank/fill").providerIds, ["tank"]);
   typed.write("pump.flow.disconnect()\n");
-  await events.get("connectionGraphUpdate", (one) => one.removedTopics.includes("/pump/flow"));
+  await events.get("connectionGraphUpdate", (one) => flow(one.subscribedTopics)?.subscriberIds.length === 0);
   typed.write('connect("pump.flow", "tank.flow", ConnPolicy())\n');
 
   const log = client.subscribe((await channelOf("/rosout")).id);
@@ -162,15 +141,14 @@ async function look(url, typed, protocol) {
 
 let running;
 try {
-  running = await deploy();
+  running = await deploy(deployer, components);
   for (const protocol of ["foxglove.sdk.v1", "foxglove.websocket.v1"]) {
-    await look(running.url, running.program.stdin, protocol);
+    await look(running.url, running.typed, protocol);
     console.log(`${protocol}: ok`);
   }
 } catch (error) {
   console.error(error);
   process.exitCode = 1;
 } finally {
-  running?.program.kill("SIGTERM");
-  rmSync(folder, { recursive: true });
+  running?.end();
 }

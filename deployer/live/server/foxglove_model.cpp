@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include "foxglove_model.hpp"
 
+#include "foxglove_service.hpp"
 #include "foxglove_text.hpp"
 #include "live_client.hpp"
 #include "oro_messages.hpp"
@@ -126,6 +127,20 @@ std::vector<std::string> FoxgloveModel::owners() const {
     std::vector<std::string> paths;
     for (const auto& [path, owner] : owners_)
         if (owner.hasProperties) paths.push_back(path);
+    return paths;
+}
+
+std::vector<std::string> FoxgloveModel::outputs() const {
+    std::vector<std::string> paths;
+    for (const auto& [name, owner] : owners_)
+        for (const Channel& channel : owner.channels) paths.push_back(channel.path);
+    return paths;
+}
+
+std::vector<std::string> FoxgloveModel::operations() const {
+    std::vector<std::string> paths;
+    for (const auto& [name, owner] : owners_)
+        for (const Service& service : owner.services) paths.push_back(service.path);
     return paths;
 }
 

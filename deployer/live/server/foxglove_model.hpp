@@ -35,6 +35,9 @@ public:
     const Service* service(std::uint32_t id) const;
     /** The components and services with properties. */
     std::vector<std::string> owners() const;
+    /** The paths of the ports that are channels, and of the operations that are services. */
+    std::vector<std::string> outputs() const;
+    std::vector<std::string> operations() const;
 
 private:
     struct Owner {

@@ -3,6 +3,7 @@
 #include "foxglove_session.hpp"
 
 #include "../requests/failure.hpp"
+#include "foxglove_service.hpp"
 #include "foxglove_text.hpp"
 #include "live_client.hpp"
 #include "oro_messages.hpp"
@@ -43,6 +44,8 @@ std::set<std::string> namesOf(const json& message) {
 
 FoxgloveSession::FoxgloveSession(LiveClient& client) : client_(client), model_(client) {
     client_.sendText(foxgloveServerInfo("Oroforge", std::to_string(wallTime()), client.caller().rights.operations));
+    // Before any channel: Foxglove takes the time that it knows at the first one for the start of the data.
+    client_.queue().addAnswer({foxgloveTime(static_cast<std::uint64_t>(wallTime())), true});
     client_.sendText(textOf({{"op", "advertise"}, {"channels", {foxgloveLogChannel()}}}));
 }
 
@@ -60,7 +63,7 @@ void FoxgloveSession::receive(const json& message, const std::string& op) {
     }
     if (op == "subscribeConnectionGraph" || op == "unsubscribeConnectionGraph") {
         wantsGraph_ = op[0] == 's';
-        lastGraph_.clear();
+        graph_.forget();
         return;
     }
     warn("'" + op + "' is not offered; ports are not written, and there are no files");
@@ -218,26 +221,8 @@ void FoxgloveSession::updateParameters() {
 void FoxgloveSession::updateGraph() {
     client_.ask({{"op", "oro.graph"}, {"id", 0}}, [this](LiveClient&, const json& answer) {
         if (answer.count("result") == 0) return;
-        std::map<std::string, std::set<std::string>> from, to;
-        for (const json& one : answer["result"].value("connections", json::array())) {
-            const std::string out = one.value("from", ""), in = one.value("to", "");
-            from[topicOf(out)].insert(out.substr(0, out.find('.')));
-            to[topicOf(out)].insert(in.substr(0, in.find('.')));
-        }
-        json made = {{"op", "connectionGraphUpdate"},     {"publishedTopics", json::array()},
-                     {"subscribedTopics", json::array()}, {"advertisedServices", json::array()},
-                     {"removedTopics", json::array()},    {"removedServices", json::array()}};
-        for (const auto& [topic, ids] : from)
-            made["publishedTopics"].push_back({{"name", topic}, {"publisherIds", ids}});
-        for (const auto& [topic, ids] : to)
-            made["subscribedTopics"].push_back({{"name", topic}, {"subscriberIds", ids}});
-        const std::string text = textOf(made);
-        if (text == std::exchange(lastGraph_, text)) return;
-        for (const std::string& topic : graphTopics_)
-            if (from.count(topic) == 0) made["removedTopics"].push_back(topic);
-        graphTopics_.clear();
-        for (const auto& one : from) graphTopics_.insert(one.first);
-        client_.sendText(textOf(made));
+        const json changes = graph_.update(model_, answer["result"].value("connections", json::array()));
+        if (!changes.is_null()) client_.sendText(textOf(changes));
     });
 }
 
@@ -246,26 +231,22 @@ void FoxgloveSession::receiveBinary(std::string_view message) {
     if (!parseFoxgloveCall(message, wanted)) return warn("this binary message is not the call of a service");
     const FoxgloveModel::Service* const service = model_.service(wanted.service);
     const json request = isTooDeep(wanted.payload) ? json() : json::parse(wanted.payload, nullptr, false);
-    if (service && request.is_object()) return call(*service, wanted.call, request);
-    client_.sendText(textOf({{"op", "serviceCallFailure"},
-                             {"serviceId", wanted.service},
-                             {"callId", wanted.call},
-                             {"message", service ? "the request is not a JSON object" : "there is no such service"}}));
+    if (!service) return fail(wanted, "there is no such service");
+    if (!request.is_object()) return fail(wanted, "the request is not a JSON object");
+    std::string why;
+    const json arguments = foxgloveArguments(service->arguments, request, why);
+    if (arguments.is_null()) return fail(wanted, service->path + ": " + why);
+    client_.ask({{"op", "oro.call"}, {"id", 0}, {"path", service->path}, {"arguments", arguments}, {"timeout", 10}},
+                [this, id = wanted.service, call = wanted.call](LiveClient&, const json& answer) {
+                    const auto result = answer.find("result");
+                    if (result == answer.end()) return fail({id, call, {}, {}}, answer.value("message", "it failed"));
+                    client_.sendBinary(foxgloveResponse(id, call, "json", textOf(foxgloveResult(*result))));
+                });
 }
 
-void FoxgloveSession::call(const FoxgloveModel::Service& service, std::uint32_t call, const json& request) {
-    json arguments = json::array();
-    for (const std::string& name : service.arguments)
-        if (request.count(name) != 0) arguments.push_back(request[name]);
-    client_.ask({{"op", "oro.call"}, {"id", 0}, {"path", service.path}, {"arguments", arguments}, {"timeout", 10}},
-                [this, id = service.id, call](LiveClient&, const json& answer) {
-                    if (answer.count("result") != 0)
-                        return client_.sendBinary(foxgloveResponse(id, call, "json", textOf(answer["result"])));
-                    client_.sendText(textOf({{"op", "serviceCallFailure"},
-                                             {"serviceId", id},
-                                             {"callId", call},
-                                             {"message", answer.value("message", "it failed")}}));
-                });
+void FoxgloveSession::fail(const FoxgloveCall& call, const std::string& why) {
+    client_.sendText(
+        textOf({{"op", "serviceCallFailure"}, {"serviceId", call.service}, {"callId", call.call}, {"message", why}}));
 }
 
 }  // namespace OCL::live

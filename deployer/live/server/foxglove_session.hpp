@@ -5,7 +5,9 @@
 
 #include "../samples/log_lines.hpp"
 #include "../samples/port_watch.hpp"
+#include "foxglove_graph.hpp"
 #include "foxglove_model.hpp"
+#include "foxglove_text.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -54,7 +56,7 @@ private:
     void collect(const std::shared_ptr<Collection>& collection);
     void updateParameters();
     void updateGraph();
-    void call(const FoxgloveModel::Service& service, std::uint32_t call, const nlohmann::json& request);
+    void fail(const FoxgloveCall& call, const std::string& why);
     void readAll(std::uint32_t id, Subscription& subscription);
     void warn(const std::string& text);
 
@@ -65,8 +67,7 @@ private:
     std::set<std::string> followed_;
     Parameters lastValues_;  // of those
     bool wantsGraph_ = false, isUpdating_ = false;
-    std::string lastGraph_;
-    std::set<std::string> graphTopics_;  // those that the client knows
+    FoxgloveGraph graph_;
     std::int64_t nextPoll_ = 0, nextTime_ = 0;
 };
 

@@ -27,18 +27,6 @@ std::uint32_t numberAt(std::string_view text, std::size_t at) {
     return number;
 }
 
-json schemaOf(const json& operation) {
-    json properties = json::object();
-    for (const json& argument : operation.value("arguments", json::array()))
-        properties[argument.value("name", "")] = {
-            {"description", argument.value("type", "") + ": " + argument.value("doc", "")}};
-    return {{"type", "object"}, {"properties", properties}};
-}
-
-json messageForm(const std::string& name, const json& schema) {
-    return {{"encoding", "json"}, {"schemaName", name}, {"schemaEncoding", "jsonschema"}, {"schema", textOf(schema)}};
-}
-
 }  // namespace
 
 std::string foxgloveStatus(int level, const std::string& text) {
@@ -82,18 +70,6 @@ std::string foxgloveLogLine(const LogLine& line) {
                    {"name", line.origin},
                    {"file", ""},
                    {"line", 0}});
-}
-
-json foxgloveService(std::uint32_t id, const std::string& name, const std::string& type, const json& operation) {
-    const json schema = schemaOf(operation), result = {{"type", "object"}};
-    return {{"id", id},
-            {"name", name},
-            {"type", type},
-            {"request", messageForm(type, schema)},
-            {"response", messageForm(operation.value("result", "void"), result)},
-            // For clients of foxglove.websocket.v1.
-            {"requestSchema", textOf(schema)},
-            {"responseSchema", textOf(result)}};
 }
 
 json foxgloveParameter(const std::string& name, const json& property) {

@@ -22,9 +22,6 @@ std::string foxgloveServerInfo(const std::string& name, const std::string& sessi
 /** The channel of the log, /rosout. */
 nlohmann::json foxgloveLogChannel();
 std::string foxgloveLogLine(const LogLine& line);
-/** `operation` as in the answer to oro.show. */
-nlohmann::json foxgloveService(std::uint32_t id, const std::string& name, const std::string& type,
-                               const nlohmann::json& operation);
 /** `property` as in the answer to oro.show. */
 nlohmann::json foxgloveParameter(const std::string& name, const nlohmann::json& property);
 

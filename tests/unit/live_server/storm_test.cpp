@@ -194,6 +194,10 @@ TEST_F(LiveServer, FoxgloveGetsChannelsOfComponentsThatComeAndGo) {
     RawClient fox = client();
     ASSERT_TRUE(fox.open("foxglove.sdk.v1"));
     EXPECT_EQ("serverInfo", fox.hear().value("op", ""));
+    // Foxglove takes the time that it has at the first channel for the start of the data.
+    const json time = fox.hear();
+    ASSERT_TRUE(time.is_string());
+    EXPECT_EQ('\x02', time.get<std::string>()[0]);
     EXPECT_EQ("/rosout", fox.hear("advertise").value("/channels/0/topic"_json_pointer, ""));
     const json channels = fox.hear("advertise")["channels"];
     ASSERT_EQ(2U, channels.size());
@@ -211,8 +215,21 @@ TEST_F(LiveServer, FoxgloveGetsChannelsOfComponentsThatComeAndGo) {
         EXPECT_EQ(1U + 4 + 8 + 4 + 8, bytes.size());
         break;
     }
+    // The graph has the topics that are not read, and not the live window, which reads one.
+    ASSERT_TRUE(fox.say({{"op", "subscribeConnectionGraph"}}));
+    json graph = fox.hear("connectionGraphUpdate");
+    const auto idsOf = [](const json& all, const std::string& topic, const char* ids) {
+        for (const json& one : all)
+            if (one.value("name", "") == topic) return one[ids];
+        return json();
+    };
+    EXPECT_EQ(json({"Source"}), idsOf(graph["publishedTopics"], "/Source/number", "publisherIds"));
+    EXPECT_EQ(json::array(), idsOf(graph["subscribedTopics"], "/Source/number", "subscriberIds"));
     source.reset();
     EXPECT_EQ(2U, fox.hear("unadvertise")["channelIds"].size());
+    graph = fox.hear("connectionGraphUpdate");
+    EXPECT_EQ(json({"/Source/number", "/Source/texts"}), graph["removedTopics"]);
+    EXPECT_TRUE(graph["publishedTopics"].empty());
 }
 
 /** Does at random what a client may do. */
