@@ -9,6 +9,7 @@ namespace replay_test {
 namespace {
 
 using namespace oroforge::test;
+using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
@@ -133,6 +134,46 @@ TEST_F(ReplayFaults, AComponentThatIsNotInTheRecording) {
     EXPECT_THAT(outcome.err, HasSubstr("--replace: error: [RPL012] the recording has no component 'vewer'; did you "
                                        "mean 'viewer'?"));
     EXPECT_THAT(replay({"--replace", ",", "-s", "app.xml"}).err, HasSubstr("--replace names no component"));
+}
+
+TEST_F(ReplayFaults, AConnectedPortThatTheRecordingLacks) {
+    std::string text = deployment(std::string(kCamera) + kViewer);
+    const std::string port = "name=\"image\"";
+    text.replace(text.find(port), port.size(), "name=\"imgae\"");  // that of the camera
+    directory_.write("app.xml", text);
+    const Outcome outcome = replay({"--replace", "camera", "-s", "app.xml"});
+    EXPECT_THAT(outcome.err, ContainsRegex("app.xml:[0-9]+:[0-9]+: warning: \\[RPL014\\] the recording has no port "
+                                           "'camera.imgae', so nothing comes from it in connection 'images'; did you "
+                                           "mean 'image'\\?"));
+    EXPECT_THAT(log(), HasSubstr("RPL014"));
+    // Without the option, the component has to be made, and the reason is in the log.
+    EXPECT_EQ(replay({"--log-level", "Info", "-s", "app.xml"}).status, 255);
+    EXPECT_THAT(log(), HasSubstr("its port 'imgae' was not recorded; did you mean 'image'?"));
+}
+
+TEST_F(ReplayFaults, InputsOfWhatIsReplacedAreNotReported) {
+    const Outcome outcome = replay({"--replace", "camera,viewer", "-s", "app.xml"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_THAT(outcome.err, Not(HasSubstr("RPL")));
+    EXPECT_THAT(log(), HasSubstr("the recording has no port 'viewer.pose'"));
+}
+
+TEST_F(ReplayFaults, AComponentThatIsNotInTheDeploymentOrHasToRun) {
+    directory_.write("app.xml", deployment(kCamera));
+    const Outcome missing = replay({"--replace", "camera,viewer", "-s", "app.xml"});
+    EXPECT_EQ(missing.status, 0) << missing.err;
+    EXPECT_THAT(missing.err, HasSubstr("--replace: warning: [RPL015] the deployment has no component 'viewer', so "
+                                       "nothing is replaced by what was recorded"));
+    EXPECT_THAT(missing.err, Not(HasSubstr("no component 'camera'")));
+    directory_.write("app.xml", deployment(component("viewer", "replaytest::Viewer") + R"(
+  <struct name="slave" type="replaytest::Messenger">
+    <struct name="Activity" type="SlaveActivity">
+      <simple name="Master" type="string"><value>viewer</value></simple>
+    </struct>
+  </struct>)"));
+    const Outcome master = replay({"--replace", "viewer", "-s", "app.xml"});
+    EXPECT_THAT(master.err, ContainsRegex("app.xml:[0-9]+:[0-9]+: warning: \\[RPL015\\] component 'viewer' runs, "
+                                          "--replace cannot replace it: it executes others"));
 }
 
 TEST_F(ReplayFaults, AFileThatCannotBeWritten) {
