@@ -5,6 +5,8 @@
 
 #include <gmock/gmock.h>
 
+#include <filesystem>
+
 namespace replay_test {
 namespace {
 
@@ -96,6 +98,47 @@ TEST_F(ReplayFaults, AComponentThatTriggersItselfForEver) {
     const Outcome outcome = replay({"-s", "app.xml"});
     EXPECT_EQ(outcome.status, 255);
     EXPECT_THAT(outcome.err, HasSubstr("error: [RPL002] the replay ends: component 'restless' triggers itself"));
+}
+
+TEST_F(ReplayFaults, AComponentThatWaitsWhileTimeStands) {
+    directory_.write("app.xml", deployment(component("patient", "replaytest::Patient")));
+    EXPECT_EQ(replay({"-s", "app.xml"}).status, 0);
+    EXPECT_THAT(log(), HasSubstr("error: [RPL005] component 'patient', or a script, has been waiting for 5 s"));
+}
+
+TEST_F(ReplayFaults, ActivitiesThatAReplayCannotExecute) {
+    directory_.write(
+        "app.xml", deployment(component("loner", "replaytest::Loner") + component("reader", "replaytest::Restless", R"(
+  <struct name="Activity" type="FileDescriptorActivity">
+    <simple name="Period" type="double"><value>0</value></simple>
+    <simple name="Priority" type="short"><value>0</value></simple>
+    <simple name="Scheduler" type="string"><value>ORO_SCHED_OTHER</value></simple>
+  </struct>)")));
+    (void)replay({"-s", "app.xml"});
+    EXPECT_THAT(log(), HasSubstr("warning: [RPL003] component 'loner'"));
+    EXPECT_THAT(log(), HasSubstr("warning: [RPL004] component 'reader' waits for file descriptors"));
+}
+
+/** The deployer looks for its parts beside the runtime's library: here beside a copy. */
+TEST_F(ReplayFaults, AToolchainWithoutThePartThatReadsRecordings) {
+    namespace fs = std::filesystem;
+    const fs::path copies = directory_ / "copies", part = copies / REPLAY_PART;
+    fs::create_directories(part.parent_path());
+    fs::copy_file(RUNTIME_LIBRARY, copies / RUNTIME_NAME);
+    Command deployer = command({"--no-consolelog", "--replay", "run.mcap", "-s", "app.xml"});
+    deployer.environment.emplace("LD_LIBRARY_PATH", copies.string());
+    const auto error = [&] {
+        const Outcome outcome = run(deployer);
+        EXPECT_EQ(outcome.status, 255);
+        return outcome.err;
+    };
+    EXPECT_THAT(error(), HasSubstr("--replay: error: [RPL001] this toolchain has no part that reads recordings, " +
+                                   part.string() + "; it is made if libzstd-dev or liblz4-dev is installed"));
+    directory_.write(fs::path("copies") / REPLAY_PART, "no library");
+    EXPECT_THAT(error(), HasSubstr("--replay: error: [RPL001] the part that reads recordings cannot be used: "));
+    fs::remove(part);
+    fs::copy_file(RUNTIME_LIBRARY, part);
+    EXPECT_THAT(error(), HasSubstr("is of another version"));
 }
 
 #ifdef HAS_RT_CHECK
