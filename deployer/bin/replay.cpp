@@ -17,6 +17,7 @@
 #include <rtt/os/TimeService.hpp>
 #include <rtt/plugin/shared_library.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <iomanip>
@@ -111,6 +112,7 @@ public:
     bool hasPort(const std::string& component, const std::string& port) const override {
         return ports_.hasPort(component, port);
     }
+    std::vector<std::string> portsOf(const std::string& component) const override { return ports_.portsOf(component); }
     std::optional<bool> isWanted(const std::string& component) const override {
         return wanted_.empty() ? std::nullopt : std::optional<bool>(wanted_.count(component) != 0);
     }
@@ -165,6 +167,8 @@ struct Replay::Impl {
     std::string noComponent(const std::string& name) const;
     void error(const std::string& file, const char* code, const std::string& text) const;
     void warnOfNothing() const;
+    /** Warns of names in --replace that no component has. */
+    void warnOfMissing(const DeploymentComponent& deployer) const;
     void summarize(const schedule::Schedule::Outcome& outcome, double passed) const;
     /** For --replay-check: what the schedule has seen of other threads. True if there is nothing. */
     bool reportThreads() const;
@@ -199,6 +203,7 @@ std::unique_ptr<Replay> Replay::open(const Options& options, ProgramReport& repo
 }
 
 bool Replay::run(DeploymentComponent& deployer, RTT::os::SignalCatcher& ending) {
+    impl_->warnOfMissing(deployer);
     std::optional<ReplayRecord> record;
     if (!impl_->options.recordFile.empty()) {
         std::string error;
@@ -245,6 +250,19 @@ void Replay::Impl::warnOfNothing() const {
         where, "RPL013",
         "nothing of the recording was replayed: its components run themselves, or are not in the deployment; the "
         "log says why they run, and --replace names what is to be replaced");
+    deploy::report(sink);
+}
+
+void Replay::Impl::warnOfMissing(const DeploymentComponent& deployer) const {
+    diag::Sink sink;
+    diag::Location where;
+    where.file = "--replace";
+    const std::vector<std::string> known = deployer.getPeerList();
+    for (const std::string& name : options.replaced)
+        if (std::find(known.begin(), known.end(), name) == known.end())
+            sink.warning(where, "RPL015",
+                         "the deployment has no component '" + name + "', so nothing is replaced by what was recorded" +
+                             diag::didYouMean(name, known));
     deploy::report(sink);
 }
 

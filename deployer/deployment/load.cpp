@@ -199,7 +199,7 @@ void holdBack(RTT::TaskContext& component) {
 
 bool prepare(const Session& session, Plan& plan, bool planOnly, diag::Sink& sink) {
     doImports(plan, sink);
-    replaceRecorded(session, plan);
+    replaceRecorded(session, plan, sink);
     const std::vector<std::string> reported = resolveTypes(plan, sink);
     PlanContext around = surroundingsOf(session);
     around.planOnly = planOnly;

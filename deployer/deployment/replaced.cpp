@@ -2,8 +2,10 @@
 // Copyright Oroforge contributors
 #include "replaced.hpp"
 
+#include "port_faults.hpp"
 #include "session.hpp"
 
+#include <diag/nearest_match.hpp>
 #include <rtt/Logger.hpp>
 #include <rtt/TaskContext.hpp>
 #include <rtt/deployment/ComponentLoader.hpp>
@@ -74,10 +76,52 @@ std::string whyReal(const ComponentPlan& component, const std::set<std::string>&
     if (wanted) return {};
     for (const PortPlan& port : component.ports) {
         const std::string& portName = port.port.value;
-        if (!present->hasPort(name, portName)) return "its port '" + portName + "' was not recorded";
+        if (!present->hasPort(name, portName))
+            return "its port '" + portName + "' was not recorded" + diag::didYouMean(portName, present->portsOf(name));
         if (hasInput(component.type.value, portName)) return "its port '" + portName + "' is an input";
     }
     return isUnclear(component) && hasInput(component.type.value) ? "it has an input" : "";
+}
+
+/** Libraries tell which ports are outputs, and so does the recording. */
+bool isOutput(const ComponentPlan& component, const std::string& port) {
+    if (present->hasPort(component.name.value, port)) return true;
+    const ComponentDescription* const described = descriptionOf(component.type.value);
+    return described && std::any_of(described->ports.begin(), described->ports.end(),
+                                    [&](const auto& known) { return known.output && port == known.name; });
+}
+
+bool hasOutput(const Plan& plan, const std::string& connection) {
+    for (const ComponentPlan& component : plan.components)
+        for (const PortPlan& port : component.ports)
+            if (port.connection.value == connection && isOutput(component, port.port.value)) return true;
+    return false;
+}
+
+/** Reports a connected port that the recording lacks, unless it is an input. */
+void reportUnrecorded(const Plan& plan, const ComponentPlan& component, const PortPlan& port, diag::Sink& sink) {
+    const std::string &name = component.name.value, &portName = port.port.value;
+    if (hasInput(component.type.value, portName)) return;
+    std::vector<std::string> known = present->portsOf(name);
+    if (const ComponentDescription* const described = descriptionOf(component.type.value)) {
+        for (const auto& one : described->ports) known.emplace_back(one.name);
+        const bool isComplete = !described->dynamic && component.services.empty() && component.scripts.empty();
+        if (isComplete && !isOutput(component, portName)) return (void)reportUnknownPort(name, port.port, known, sink);
+    }
+    const std::string meant = diag::didYouMean(portName, known);
+    const std::string text = "the recording has no port '" + name + "." + portName +
+                             "', so nothing comes from it in connection '" + port.connection.value + "'" + meant;
+    // What others send there is probably for it.
+    if (meant.empty() && !isOutput(component, portName) && hasOutput(plan, port.connection.value))
+        RTT::log(RTT::Info) << text << RTT::endlog();
+    else
+        sink.warning(port.port.where, "RPL014", text);
+}
+
+/** Reports a component that runs although --replace names it. */
+void reportWanted(const ComponentPlan& component, const std::string& why, diag::Sink& sink) {
+    sink.warning(component.name.where, "RPL015",
+                 "component '" + component.name.value + "' runs, --replace cannot replace it: " + why);
 }
 
 void keepOnlyPorts(ComponentPlan& component) {
@@ -134,7 +178,7 @@ bool replaysInstead(const char* operation) {
     return true;
 }
 
-void replaceRecorded(const Session& session, Plan& plan) {
+void replaceRecorded(const Session& session, Plan& plan, diag::Sink& sink) {
     if (!present) return;
     std::set<std::string> masters = session.masters, replaced;
     for (const ComponentPlan& component : plan.components)
@@ -145,11 +189,15 @@ void replaceRecorded(const Session& session, Plan& plan) {
         const std::string why = whyReal(component, masters);
         if (present->hasComponent(name) && !why.empty())
             RTT::log(RTT::Info) << "component '" << name << "' runs, it is not replayed: " << why << RTT::endlog();
+        if (!why.empty() && present->isWanted(name).value_or(false)) reportWanted(component, why, sink);
         if (!why.empty()) continue;
         if (isUnclear(component) && isKnown(component.type.value) && !isRecorder(component.type.value)) {
             component.isReplacedWithoutInput = true;
             continue;
         }
+        if (!isRecorder(component.type.value))
+            for (const PortPlan& port : component.ports)
+                if (!present->hasPort(name, port.port.value)) reportUnrecorded(plan, component, port, sink);
         keepOnlyPorts(component);
         replaced.insert(name);
     }

@@ -11,6 +11,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace RTT {
 class TaskContext;
@@ -27,6 +28,8 @@ public:
     virtual ~RecordedPorts() = default;
     virtual bool hasComponent(const std::string& component) const = 0;
     virtual bool hasPort(const std::string& component, const std::string& port) const = 0;
+    /** Those of the component, "service.port" for those of services. */
+    virtual std::vector<std::string> portsOf(const std::string& component) const = 0;
     /** Whether users want this component to be replaced; none if that is left to its ports. */
     virtual std::optional<bool> isWanted(const std::string& component) const = 0;
     /** Adds the recorded output ports to what stands for the component of that name. `problems` gets, by port, why one
@@ -43,9 +46,10 @@ RecordedPorts* recordedPorts();
  * Marks the components of a plan that are replaced, and removes from it what they cannot have: properties, services,
  * scripts, and an activity. A component is replaced if the recording has all of its connected ports, and so none of
  * them is an input, or if users want it; and so is a recorder, which would write over the recording. If neither files
- * nor libraries tell of an input, and its type is known, a component is made and asked.
+ * nor libraries tell of an input, and its type is known, a component is made and asked. Reports connected outputs that
+ * the recording lacks, and what users want to be replaced, but runs.
  */
-void replaceRecorded(const Session& session, Plan& plan);
+void replaceRecorded(const Session& session, Plan& plan, diag::Sink& sink);
 
 /** For a component that a script creates: how it is replaced. */
 ComponentPlan planOf(const std::string& name, const std::string& type);

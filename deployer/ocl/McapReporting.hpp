@@ -8,6 +8,9 @@
 #include <string>
 
 namespace OCL {
+namespace recording {
+class Recording;
+}
 
 /**
  * Records all samples of output ports, and changes of properties and attributes, to an MCAP file, which Foxglove,
@@ -32,8 +35,11 @@ public:
 
 protected:
     bool startHook() override;
+    void stopHook() override;
+    void dataOnPortCallback(RTT::base::PortInterface* port) override;
 
 private:
+    recording::Recording* running_ = nullptr;  // while this component runs
     std::string reportFile_ = "recording.mcap";
     std::string compression_, split_, ringSize_ = "1 GB", clock_ = "realtime", schema_ = "auto";
     unsigned int chunkSize_ = 1U << 20;

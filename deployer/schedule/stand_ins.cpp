@@ -33,6 +33,13 @@ bool StandIns::hasPort(const std::string& component, const std::string& port) co
     return known != topics_.end() && known->second.count(port) != 0;
 }
 
+std::vector<std::string> StandIns::portsOf(const std::string& component) const {
+    std::vector<std::string> names;
+    if (const auto known = topics_.find(component); known != topics_.end())
+        for (const auto& port : known->second) names.push_back(port.first);
+    return names;
+}
+
 void StandIns::addPorts(RTT::TaskContext& component, std::map<std::string, std::string>& problems) {
     const auto known = topics_.find(component.getName());
     if (known == topics_.end()) return;

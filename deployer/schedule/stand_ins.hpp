@@ -7,6 +7,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 namespace RTT {
 class TaskContext;
@@ -23,6 +24,7 @@ public:
     bool hasComponent(const std::string& component) const;
     /** The port of a service is "service.port". */
     bool hasPort(const std::string& component, const std::string& port) const;
+    std::vector<std::string> portsOf(const std::string& component) const;
     /** Adds the recorded ports to a component that has their component's name. `problems` gets, by port, why one is
         missing. */
     void addPorts(RTT::TaskContext& component, std::map<std::string, std::string>& problems);

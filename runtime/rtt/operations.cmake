@@ -52,5 +52,6 @@ oroforge_unit(orocos-rtt rtt_step ${PROJECT_SOURCE_DIR}/runtime
   rtt/internal/engine/function_list.cpp
   rtt/internal/engine/hook_in_progress.cpp
   rtt/internal/engine/script_place.cpp
+  rtt/internal/engine/state_changes.cpp
   rtt/internal/engine/mailbox.cpp
   rtt/internal/engine/presence.cpp)

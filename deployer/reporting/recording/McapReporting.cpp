@@ -9,6 +9,8 @@
 #include <rtt/ConnPolicy.hpp>
 #include <rtt/Property.hpp>
 
+#include <utility>
+
 namespace OCL {
 namespace {
 
@@ -73,12 +75,25 @@ bool McapReporting::startHook() {
     if (states_) options.peers = getPeerGates();
     // When a line comes depends on another thread.
     options.hasLog = log_ && !reproducible_;
-    reportBy([options](const reporting::Sources& sources, const reporting::ReportOptions& general) {
+    reportBy([this, options](const reporting::Sources& sources, const reporting::ReportOptions& general) {
         recording::RecordingOptions all = options;
         all.onFailure = general.onFailure;
-        return std::unique_ptr<reporting::Report>(recording::Recording::make(sources, all));
+        std::unique_ptr<recording::Recording> made = recording::Recording::make(sources, all);
+        running_ = made.get();
+        return std::unique_ptr<reporting::Report>(std::move(made));
     });
     return ReportingComponent::startHook();
+}
+
+void McapReporting::stopHook() {
+    running_ = nullptr;
+    ReportingComponent::stopHook();
+}
+
+// Only while this component runs, in its own thread.
+void McapReporting::dataOnPortCallback(RTT::base::PortInterface* port) {
+    if (running_) running_->hasData(port);
+    ReportingComponent::dataOnPortCallback(port);
 }
 
 bool McapReporting::save() {

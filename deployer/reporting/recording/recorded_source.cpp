@@ -33,21 +33,23 @@ std::string hexOf(std::uint64_t number) {
 }  // namespace
 
 std::unique_ptr<RecordedSource> RecordedSource::make(std::shared_ptr<reporting::Source> source, const Options& options,
-                                                     std::string& why) {
+                                                     std::atomic<std::uint64_t>& allLost, std::string& why) {
     const RTT::types::TypeInfo& type = *source->sample()->getTypeInfo();
     RTT::encoding::SchemaText schema;
     if (!RTT::encoding::describeType(type, options.language, options.rosNames, schema, why)) return nullptr;
     std::shared_ptr<const Plan> plan = Plan::make(type, RTT::encoding::cdrRules(), why);
     if (!plan) return nullptr;
-    return std::unique_ptr<RecordedSource>(new RecordedSource(std::move(source), std::move(plan), std::move(schema)));
+    return std::unique_ptr<RecordedSource>(
+        new RecordedSource(std::move(source), std::move(plan), std::move(schema), allLost));
 }
 
 RecordedSource::RecordedSource(std::shared_ptr<reporting::Source> source, std::shared_ptr<const Plan> plan,
-                               RTT::encoding::SchemaText schema)
+                               RTT::encoding::SchemaText schema, std::atomic<std::uint64_t>& allLost)
     : source_(std::move(source)),
       plan_(std::move(plan)),
       schema_(std::move(schema)),
-      sample_(source_->sample()->getRawConstPointer()) {
+      sample_(source_->sample()->getRawConstPointer()),
+      allLost_(allLost) {
     std::string why;
     stamp_ = RTT::encoding::Stamp::make(*source_->sample()->getTypeInfo(), why);
     if (!why.empty())
@@ -73,9 +75,13 @@ mcap::Channel RecordedSource::channel(std::uint16_t id) {
     return channel;
 }
 
+// Looking at the connections allocates, and takes longer than a small sample.
 void RecordedSource::findStores() {
-    stores_.clear();
-    if (source_->port()) stores_ = RTT::internal::storagesOf(*source_->port());
+    if (!source_->port()) return;
+    const std::uint64_t changes = RTT::internal::connectionChanges();
+    if (changes == connectionChanges_) return;
+    connectionChanges_ = changes;
+    stores_ = RTT::internal::storagesOf(*source_->port());
 }
 
 std::size_t RecordedSource::dropped() const {
@@ -87,6 +93,7 @@ std::size_t RecordedSource::dropped() const {
 void RecordedSource::lose(std::uint64_t count) {
     sequence_ += static_cast<std::uint32_t>(count);
     lost_.fetch_add(count, std::memory_order_relaxed);
+    allLost_.fetch_add(count, std::memory_order_relaxed);
 }
 
 void RecordedSource::countDropped() {
@@ -97,10 +104,9 @@ void RecordedSource::countDropped() {
 
 bool RecordedSource::addSamples(ChunkPipe& pipe, const std::function<std::uint64_t()>& now, unsigned most) {
     if (!source_->port()) return false;
-    const bool any = source_->read();
+    if (!source_->read()) return false;  // and so nothing was dropped since the last one
     findStores();
-    countDropped();  // also what was dropped while the samples before were taken
-    if (!any) return false;
+    countDropped();
     ChunkPipe::Filling filling(pipe);
     for (;;) {
         add(filling, now());

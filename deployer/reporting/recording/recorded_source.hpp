@@ -28,9 +28,9 @@ public:
         RTT::encoding::SchemaLanguage language = RTT::encoding::SchemaLanguage::Auto;
         bool rosNames = false;
     };
-    /** Null, with the reason, if its type cannot be encoded or described. */
+    /** Null, with the reason, if its type cannot be encoded or described. What it loses is added to `allLost`. */
     static std::unique_ptr<RecordedSource> make(std::shared_ptr<reporting::Source> source, const Options& options,
-                                                std::string& why);
+                                                std::atomic<std::uint64_t>& allLost, std::string& why);
 
     const reporting::Source& source() const { return *source_; }
     const RTT::encoding::SchemaText& schema() const { return schema_; }
@@ -49,7 +49,7 @@ public:
 
 private:
     RecordedSource(std::shared_ptr<reporting::Source> source, std::shared_ptr<const RTT::encoding::Plan> plan,
-                   RTT::encoding::SchemaText schema);
+                   RTT::encoding::SchemaText schema, std::atomic<std::uint64_t>& allLost);
     void add(ChunkPipe::Filling& filling, std::uint64_t now);
     void lose(std::uint64_t count);
     /** Looks for what counts dropped samples: the port may be connected anew at any time. */
@@ -65,8 +65,10 @@ private:
     std::uint16_t id_ = 0;
     std::uint32_t sequence_ = 0;
     std::vector<RTT::base::ChannelElementBase::shared_ptr> stores_;
+    std::uint64_t connectionChanges_ = 0;  // when those were found
     std::size_t dropped_ = 0;
     std::atomic<std::uint64_t> lost_{0};
+    std::atomic<std::uint64_t>& allLost_;
     std::vector<unsigned char> last_, now_;  // of a value
     bool isUnencodable_ = false;
 };

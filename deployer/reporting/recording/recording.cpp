@@ -54,7 +54,7 @@ Recording::~Recording() {
 
 void Recording::add(const std::shared_ptr<reporting::Source>& source) {
     std::string why;
-    std::unique_ptr<RecordedSource> added = RecordedSource::make(source, options_.sources, why);
+    std::unique_ptr<RecordedSource> added = RecordedSource::make(source, options_.sources, lostOfSources_, why);
     if (!added || content_.channels.size() == kMostChannels) {
         RTT::log(RTT::Error) << "'" << options_.component << "' does not record '" << source->name() << "': error: ["
                              << "MCP011"
@@ -68,7 +68,12 @@ void Recording::add(const std::shared_ptr<reporting::Source>& source) {
     mcap::Channel channel = added->channel(static_cast<std::uint16_t>(content_.channels.size() + 1));
     channel.schema = schemaOf(added->schema());
     content_.channels.push_back(std::move(channel));
+    if (source->port())
+        ports_[source->port()] = sources_.size();
+    else
+        values_.push_back(sources_.size());
     sources_.push_back(std::move(added));
+    hasData_.push_back(false);
 }
 
 std::uint16_t Recording::schemaOf(const RTT::encoding::SchemaText& text) {
@@ -82,7 +87,8 @@ std::uint16_t Recording::schemaOf(const RTT::encoding::SchemaText& text) {
 void Recording::addStates() {
     const auto schema = static_cast<std::uint16_t>(content_.schemas.size() + 1);
     const auto channel = static_cast<std::uint16_t>(content_.channels.size() + 1);
-    states_.reset(new StateChannel(options_.peers));
+    // Other processes are not the same each time, and looking at many components takes longer than a sample.
+    states_.reset(new StateChannel(options_.peers, options_.isReproducible));
     content_.schemas.push_back(StateChannel::schema(schema));
     content_.channels.push_back(states_->channel(channel, schema));
 }
@@ -124,12 +130,42 @@ std::uint64_t Recording::now() const {
     return static_cast<std::uint64_t>(std::max<std::int64_t>(time, 0));
 }
 
-bool Recording::read() {
+bool Recording::readSource(std::size_t source) {
+    return sources_[source]->addSamples(
+        *pipe_, [this] { return now(); }, kSamplesPerCycle);
+}
+
+// In the order of the sources, whichever port was the first: messages of one time are in the same order each time.
+bool Recording::readSources() {
     bool any = false;
+    if (!isWoken_) {
+        for (std::size_t i = 0; i != sources_.size(); ++i) any |= readSource(i);
+        return any;
+    }
+    std::sort(withData_.begin(), withData_.end());
+    std::size_t left = 0;
+    for (const std::size_t source : withData_) {
+        hasData_[source] = readSource(source);
+        if (hasData_[source]) withData_[left++] = source;
+    }
+    withData_.resize(left);
+    return left != 0;
+}
+
+void Recording::mark(std::size_t source) {
+    if (hasData_[source]) return;
+    hasData_[source] = true;
+    withData_.push_back(source);
+}
+
+void Recording::hasData(const RTT::base::PortInterface* port) {
+    if (const auto found = ports_.find(port); isWoken_ && found != ports_.end()) mark(found->second);
+}
+
+bool Recording::read() {
     if (states_) states_->add(*pipe_, now());
     if (log_) log_->add(*pipe_);
-    const std::function<std::uint64_t()> clock = [this] { return now(); };
-    for (const auto& source : sources_) any |= source->addSamples(*pipe_, clock, kSamplesPerCycle);
+    const bool any = readSources();
     if (lost() != 0 && !std::exchange(everLost_, true))
         RTT::log(RTT::Error)
             << "a message of the recording of '" << options_.component
@@ -140,7 +176,7 @@ bool Recording::read() {
 }
 
 void Recording::writeRow() {
-    for (const auto& source : sources_) source->addValue(*pipe_, now());
+    for (const std::size_t value : values_) sources_[value]->addValue(*pipe_, now());
 }
 
 void Recording::clearPorts() {
@@ -148,6 +184,10 @@ void Recording::clearPorts() {
 }
 
 void Recording::wakeOnData(bool on) {
+    isWoken_ = on;
+    withData_.clear();
+    std::fill(hasData_.begin(), hasData_.end(), false);
+    for (const auto& port : ports_) mark(port.second);  // what is there already wakes nobody
     for (const auto& source : sources_)
         if (RTT::base::InputPortInterface* const port = source->port()) port->signalInterface(on);
 }
@@ -164,9 +204,8 @@ void Recording::finish() {
 }
 
 unsigned long Recording::lost() const {
-    unsigned long sum = (pipe_ ? pipe_->lost() : 0) + (states_ ? states_->lost() : 0) + (log_ ? log_->lost() : 0);
-    for (const auto& source : sources_) sum += source->lost();
-    return sum;
+    const unsigned long sum = (pipe_ ? pipe_->lost() : 0) + (states_ ? states_->lost() : 0) + (log_ ? log_->lost() : 0);
+    return sum + lostOfSources_.load(std::memory_order_relaxed);
 }
 
 /** What is known to be lost so far. Called by the thread of the pipe, too. */

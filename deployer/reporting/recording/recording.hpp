@@ -12,10 +12,12 @@
 #include <reporting/report.hpp>
 #include <reporting/running_report.hpp>
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace OCL::recording {
@@ -44,6 +46,8 @@ public:
 
     /** Adds all samples that are there. Does not wait for the disk; allocates for a sample larger than all before. */
     bool read() override;
+    /** While new samples wake the component: the port has some, so read() looks at it. In the thread of read(). */
+    void hasData(const RTT::base::PortInterface* port);
     /** Adds properties and attributes that have changed. */
     void writeRow() override;
     void clearPorts() override;
@@ -62,13 +66,22 @@ private:
     void addStates();
     void addLog();
     bool begin();
+    void mark(std::size_t source);
+    bool readSources();
+    bool readSource(std::size_t source);
     std::uint64_t now() const;
     oroforge::mcap::Metadata atEnd() const;
 
     const RecordingOptions options_;
     const std::int64_t toClock_;  // what is added to the time of the TimeService
     FileContent content_;
+    std::atomic<std::uint64_t> lostOfSources_{0};
     std::vector<std::unique_ptr<RecordedSource>> sources_;
+    std::unordered_map<const RTT::base::PortInterface*, std::size_t> ports_;  // which of the sources
+    std::vector<std::size_t> values_;                                         // sources that are no ports
+    bool isWoken_ = false;                  // ports with new samples wake the component
+    std::vector<std::size_t> withData_;     // then: sources that have some, each once
+    std::vector<bool> hasData_;             // which are in there
     std::unique_ptr<StateChannel> states_;  // null: they are not recorded
     std::unique_ptr<LogChannel> log_;       // the same
     std::unique_ptr<FileTaker> file_;       // without a ring

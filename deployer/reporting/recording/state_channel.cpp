@@ -5,6 +5,7 @@
 #include <reporting/mcap_file/cdr_text.hpp>
 #include <rtt/ExecutionEngine.hpp>
 #include <rtt/internal/engine/engine_gate.hpp>
+#include <rtt/internal/engine/state_changes.hpp>
 
 namespace OCL::recording {
 namespace {
@@ -33,7 +34,7 @@ const char* stateBehind(const RTT::internal::EngineGate& gate) {
 
 }  // namespace
 
-StateChannel::StateChannel(const RTT::TaskContext::PeerGates& components) {
+StateChannel::StateChannel(const RTT::TaskContext::PeerGates& components, bool onlyHere) : onlyHere_(onlyHere) {
     for (const auto& [name, gate] : components) components_.push_back({name, gate});
 }
 
@@ -51,6 +52,9 @@ mcap::Channel StateChannel::channel(std::uint16_t id, std::uint16_t schema) {
 }
 
 void StateChannel::add(ChunkPipe& pipe, std::uint64_t now) {
+    const std::uint64_t changes = RTT::internal::stateChanges();
+    if (onlyHere_ && changes == changes_) return;
+    changes_ = changes;
     for (Component& component : components_) {
         const char* const state = stateBehind(*component.gate);
         if (state == component.state) continue;

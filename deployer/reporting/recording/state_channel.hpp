@@ -18,7 +18,9 @@ namespace OCL::recording {
     components may be destroyed at any time. */
 class StateChannel {
 public:
-    explicit StateChannel(const RTT::TaskContext::PeerGates& components);
+    /** @param onlyHere looks at them only if one of this process has changed its state; components of other processes
+        do not tell. */
+    StateChannel(const RTT::TaskContext::PeerGates& components, bool onlyHere);
 
     static oroforge::mcap::Schema schema(std::uint16_t id);
     oroforge::mcap::Channel channel(std::uint16_t id, std::uint16_t schema);
@@ -34,6 +36,8 @@ private:
         const char* state = nullptr;
     };
     std::vector<Component> components_;
+    const bool onlyHere_;
+    std::uint64_t changes_ = ~std::uint64_t(0);  // those that were seen
     std::uint16_t id_ = 0;
     std::uint32_t sequence_ = 0;
     std::atomic<std::uint64_t> lost_{0};

@@ -6,6 +6,7 @@
 #include <rtt/Logger.hpp>
 #include <rtt/base/ActivityInterface.hpp>
 #include <rtt/internal/engine/hook_in_progress.hpp>
+#include <rtt/internal/engine/state_changes.hpp>
 
 #include <exception>
 #include <unistd.h>
@@ -34,7 +35,9 @@ bool TaskCore::modify(Modify&& modify) {
         States after = before;
         if (!modify(after)) return false;
         std::uint64_t packed = pack(before);
-        if (states_.compare_exchange_strong(packed, pack(after))) return true;
+        if (!states_.compare_exchange_strong(packed, pack(after))) continue;
+        if (after.state != before.state) internal::countStateChange();
+        return true;
     }
 }
 
@@ -96,6 +99,7 @@ TaskCore::StateVariable& TaskCore::StateVariable::operator=(TaskState state) {
 TaskCore::~TaskCore() {
     if (ee->getActivity()) ee->getActivity()->stop();
     delete ee;
+    internal::countStateChange();
     HookInProgress::forget(this);
 }
 

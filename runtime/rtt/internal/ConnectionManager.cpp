@@ -4,6 +4,7 @@
 
 #include <rtt/base/InputPortInterface.hpp>
 #include <rtt/internal/flow/channel_array.hpp>
+#include <rtt/internal/flow/connection_facts.hpp>
 #include <rtt/internal/flow/detail/graph_lock.hpp>
 #include <rtt/internal/flow/port_endpoint.hpp>
 #include <rtt/internal/flow/reclaimer.hpp>
@@ -176,6 +177,7 @@ void ConnectionManager::publish() {
     // Release: a thread that loads the array sees its entries and the complete channels.
     ChannelArray::retire(
         port_->channels_.exchange(ChannelArray::make(entries.data(), entries.size()), std::memory_order_acq_rel));
+    countConnectionChange();
 }
 
 }  // namespace RTT::internal

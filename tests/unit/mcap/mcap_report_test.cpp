@@ -201,33 +201,37 @@ TEST_F(Recorder, RingTakesNoMoreMemoryThanItMay) {
 
 TEST_F(Recorder, HasTheStatesOfPeers) {
     set("States", true);
-    auto other = std::make_unique<RTT::TaskContext>("Other", RTT::TaskContext::PreOperational);
-    recorder->addPeer(other.get());
-    ASSERT_TRUE(recorder->reportPort("Machine", "speed") && recorder->start());
-    step();
-    other->configure();
-    step();
-    machine.speed.write(1);
-    other->start();
-    step();
-    step();
-    other.reset();
-    step();
-    recorder->stop();
-    const Found found = read();
-    ASSERT_THAT(found.channels, SizeIs(2));
-    EXPECT_EQ("/oroforge/states", found.channels[1].topic);
-    EXPECT_EQ("oroforge/msg/ComponentState", found.schemas.at(found.channels[1].schema - 1U).name);
-    std::vector<std::string> states;
-    for (const auto& [channel, sequence, time, data] : found.messages) {
-        if (channel != 2) continue;
-        EXPECT_EQ(states.size(), sequence);
-        // Behind the head there are texts with their sizes, at multiples of four.
-        const std::string component = data.c_str() + 8;
-        states.push_back(component + " " + (data.c_str() + 8 + (component.size() + 4) / 4 * 4 + 4));
+    ASSERT_TRUE(recorder->reportPort("Machine", "speed"));
+    for (const bool isReproducible : {false, true}) {
+        set("Reproducible", isReproducible);
+        auto other = std::make_unique<RTT::TaskContext>("Other", RTT::TaskContext::PreOperational);
+        recorder->addPeer(other.get());
+        ASSERT_TRUE(recorder->start());
+        step();
+        other->configure();
+        step();
+        machine.speed.write(1);
+        other->start();
+        step();
+        step();
+        other.reset();
+        step();
+        recorder->stop();
+        const Found found = read();
+        ASSERT_THAT(found.channels, SizeIs(2));
+        EXPECT_EQ("/oroforge/states", found.channels[1].topic);
+        EXPECT_EQ("oroforge/msg/ComponentState", found.schemas.at(found.channels[1].schema - 1U).name);
+        std::vector<std::string> states;
+        for (const auto& [channel, sequence, time, data] : found.messages) {
+            if (channel != 2) continue;
+            EXPECT_EQ(states.size(), sequence);
+            // Behind the head there are texts with their sizes, at multiples of four.
+            const std::string component = data.c_str() + 8;
+            states.push_back(component + " " + (data.c_str() + 8 + (component.size() + 4) / 4 * 4 + 4));
+        }
+        EXPECT_THAT(states, ElementsAre("Machine Stopped", "Other PreOperational", "Other Stopped", "Other Running",
+                                        "Other Destroyed"));
     }
-    EXPECT_THAT(states, ElementsAre("Machine Stopped", "Other PreOperational", "Other Stopped", "Other Running",
-                                    "Other Destroyed"));
 }
 
 TEST_F(Recorder, DoesNotStartIfTheFileCannotBeWritten) {
@@ -350,6 +354,29 @@ TEST_F(Recorder, ReproducibleIsTheSameFileEachTime) {
         files.push_back(oroforge::test::readFile(directory / "run.mcap"));
     }
     EXPECT_TRUE(files[0] == files[1]);
+}
+
+TEST_F(Recorder, WithoutAPeriodTakesSamplesInTheOrderOfItsPorts) {
+    recorder->setActivity(new RTT::extras::SlaveActivity(0.0));
+    ASSERT_TRUE(recorder->reportPort("Machine", "speed") && recorder->reportPort("Machine", "levels"));
+    for (int run = 0; run != 2; ++run) {
+        machine.levels.write({-1});  // before the start: forgotten
+        ASSERT_TRUE(recorder->start());
+        step();
+        for (int i = 0; i != 5; ++i) {
+            machine.levels.write({1.0 * i});
+            if (i % 2 == 0) machine.speed.write(i);
+            machine.levels.write({10.0 + i});
+            step();
+        }
+        machine.levels.write({99});
+        recorder->stop();
+        std::vector<unsigned> channels;
+        const Found found = read();
+        for (const auto& message : found.messages) channels.push_back(std::get<0>(message));
+        EXPECT_THAT(channels, ElementsAre(1, 2, 2, 2, 2, 1, 2, 2, 2, 2, 1, 2, 2, 2));
+        EXPECT_EQ((std::vector<double>{0, 2, 4}), numbersOf(found, "/Machine/speed"));
+    }
 }
 
 TEST_F(Recorder, RunsAgainAndTheFileBeginsAnew) {

@@ -6,6 +6,7 @@
 #include <reporting/mcap/in_order.hpp>
 
 #include <algorithm>
+#include <cstring>
 
 namespace {
 
@@ -289,6 +290,52 @@ TEST_F(PlayerOf, AnIndexWithWrongTimesNeverGoesBack) {
     std::size_t count = 0;
     while (messages.next()) ++count;
     EXPECT_EQ(200U, count);
+}
+
+/** Where the entries of the index begin that a file has of its chunks; and takes away the checksum that covers them. */
+std::vector<std::size_t> openIndex(std::string& file) {
+    const auto number = [&file](std::size_t at) {
+        std::uint64_t read = 0;
+        std::memcpy(&read, file.data() + at, sizeof read);
+        return static_cast<std::size_t>(read);
+    };
+    constexpr std::size_t kHead = 1 + 8;  // of a record
+    const std::size_t footer = file.size() - sizeof oroforge::mcap::kMagic - 20;
+    std::vector<std::size_t> entries;
+    for (std::size_t at = number(footer); at < footer - kHead; at += kHead + number(at + 1))
+        if (file[at] == static_cast<char>(oroforge::mcap::Op::ChunkIndex)) entries.push_back(at + kHead);
+    std::memset(&file[footer + 16], 0, 4);
+    return entries;
+}
+
+TEST_F(PlayerOf, MessagesOfATimeThatIsOverAreReplayedLateAndReported) {
+    recordNumbers();
+    std::string wrong = bytes();
+    const std::vector<std::size_t> entries = openIndex(wrong);
+    ASSERT_GT(entries.size(), 3U);
+    wrong.replace(entries[0], 16, wrong.substr(entries[3], 16));  // first and last time
+    directory.write("wrong.mcap", wrong);
+    const auto player = open("wrong.mcap");
+    ASSERT_TRUE(player) << error;
+    Reader<double> speeds(port(*player, "/Machine/speed"));
+    (void)play(*player);
+    EXPECT_THAT(speeds.all(), SizeIs(100));
+    EXPECT_THAT(player->problems(), testing::Contains(HasSubstr("[MCP026] a message at ")));
+}
+
+TEST_F(PlayerOf, AnIndexThatNamesNoChunkIsReported) {
+    recordNumbers();
+    std::string wrong = bytes();
+    const std::vector<std::size_t> entries = openIndex(wrong);
+    ASSERT_GT(entries.size(), 3U);
+    wrong.replace(entries[1] + 16, 8, std::string(8, '\1'));  // the offset
+    directory.write("wrong.mcap", wrong);
+    const auto player = open("wrong.mcap");
+    ASSERT_TRUE(player) << error;
+    Reader<double> speeds(port(*player, "/Machine/speed"));
+    (void)play(*player);
+    EXPECT_THAT(speeds.all(), SizeIs(100));  // those that a reader of the whole file finds
+    EXPECT_THAT(player->problems(), testing::Contains(HasSubstr("[MCP008] the index names a chunk here")));
 }
 
 }  // namespace

@@ -103,6 +103,16 @@ TEST_F(RecordedTypes, WithNothingInCommonAreRefusedAnyway) {
     EXPECT_THAT(refusal("float64 a\n", true), HasSubstr("[MCP023]"));
 }
 
+TEST_F(RecordedTypes, InAnotherEncodingAreRefused) {
+    OtherFile other;
+    (void)other.topic("/a", "std_msgs/msg/Float64", "float64 data\n", {}, "ros2msg", "ros1");
+    write("other.mcap", other);
+    const auto player = open("other.mcap", true);
+    ASSERT_TRUE(player) << error;
+    EXPECT_FALSE(player->port("/a", error));
+    EXPECT_THAT(error, HasSubstr("[MCP022] topic '/a': its messages are encoded as 'ros1', and only cdr is replayed"));
+}
+
 TEST_F(RecordedTypes, ThatAreNotLoadedAreRefused) {
     OtherFile other;
     (void)other.topic("/a", "tank/msg/Unknown", "float64 x\n");

@@ -29,10 +29,11 @@ public:
     }
     /** The schema of a topic and its metadata. Returns the number of the channel. */
     std::uint16_t topic(const std::string& topic, const std::string& type, const std::string& text,
-                        const oroforge::mcap::Texts& metadata = {}, const std::string& language = "ros2msg") {
+                        const oroforge::mcap::Texts& metadata = {}, const std::string& language = "ros2msg",
+                        const std::string& encoding = "cdr") {
         const auto id = static_cast<std::uint16_t>(++topics_);
         put(bytes_, oroforge::mcap::Schema{id, type, language, text});
-        put(bytes_, oroforge::mcap::Channel{id, id, topic, "cdr", metadata});
+        put(bytes_, oroforge::mcap::Channel{id, id, topic, encoding, metadata});
         return id;
     }
     /** A message that is in no chunk. */

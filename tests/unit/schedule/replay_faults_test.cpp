@@ -5,10 +5,13 @@
 
 #include <gmock/gmock.h>
 
+#include <filesystem>
+
 namespace replay_test {
 namespace {
 
 using namespace oroforge::test;
+using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
@@ -97,6 +100,47 @@ TEST_F(ReplayFaults, AComponentThatTriggersItselfForEver) {
     EXPECT_THAT(outcome.err, HasSubstr("error: [RPL002] the replay ends: component 'restless' triggers itself"));
 }
 
+TEST_F(ReplayFaults, AComponentThatWaitsWhileTimeStands) {
+    directory_.write("app.xml", deployment(component("patient", "replaytest::Patient")));
+    EXPECT_EQ(replay({"-s", "app.xml"}).status, 0);
+    EXPECT_THAT(log(), HasSubstr("error: [RPL005] component 'patient', or a script, has been waiting for 5 s"));
+}
+
+TEST_F(ReplayFaults, ActivitiesThatAReplayCannotExecute) {
+    directory_.write(
+        "app.xml", deployment(component("loner", "replaytest::Loner") + component("reader", "replaytest::Restless", R"(
+  <struct name="Activity" type="FileDescriptorActivity">
+    <simple name="Period" type="double"><value>0</value></simple>
+    <simple name="Priority" type="short"><value>0</value></simple>
+    <simple name="Scheduler" type="string"><value>ORO_SCHED_OTHER</value></simple>
+  </struct>)")));
+    (void)replay({"-s", "app.xml"});
+    EXPECT_THAT(log(), HasSubstr("warning: [RPL003] component 'loner'"));
+    EXPECT_THAT(log(), HasSubstr("warning: [RPL004] component 'reader' waits for file descriptors"));
+}
+
+/** The deployer looks for its parts beside the runtime's library: here beside a copy. */
+TEST_F(ReplayFaults, AToolchainWithoutThePartThatReadsRecordings) {
+    namespace fs = std::filesystem;
+    const fs::path copies = directory_ / "copies", part = copies / REPLAY_PART;
+    fs::create_directories(part.parent_path());
+    fs::copy_file(RUNTIME_LIBRARY, copies / RUNTIME_NAME);
+    Command deployer = command({"--no-consolelog", "--replay", "run.mcap", "-s", "app.xml"});
+    deployer.environment.emplace("LD_LIBRARY_PATH", copies.string());
+    const auto error = [&] {
+        const Outcome outcome = run(deployer);
+        EXPECT_EQ(outcome.status, 255);
+        return outcome.err;
+    };
+    EXPECT_THAT(error(), HasSubstr("--replay: error: [RPL001] this toolchain has no part that reads recordings, " +
+                                   part.string() + "; it is made if libzstd-dev or liblz4-dev is installed"));
+    directory_.write(fs::path("copies") / REPLAY_PART, "no library");
+    EXPECT_THAT(error(), HasSubstr("--replay: error: [RPL001] the part that reads recordings cannot be used: "));
+    fs::remove(part);
+    fs::copy_file(RUNTIME_LIBRARY, part);
+    EXPECT_THAT(error(), HasSubstr("is of another version"));
+}
+
 #ifdef HAS_RT_CHECK
 TEST_F(ReplayFaults, WhatIsNotTheSameInEachReplayIsReportedIfAsked) {
     directory_.write("app.xml", deployment(component("worldly", "replaytest::Worldly") +
@@ -133,6 +177,46 @@ TEST_F(ReplayFaults, AComponentThatIsNotInTheRecording) {
     EXPECT_THAT(outcome.err, HasSubstr("--replace: error: [RPL012] the recording has no component 'vewer'; did you "
                                        "mean 'viewer'?"));
     EXPECT_THAT(replay({"--replace", ",", "-s", "app.xml"}).err, HasSubstr("--replace names no component"));
+}
+
+TEST_F(ReplayFaults, AConnectedPortThatTheRecordingLacks) {
+    std::string text = deployment(std::string(kCamera) + kViewer);
+    const std::string port = "name=\"image\"";
+    text.replace(text.find(port), port.size(), "name=\"imgae\"");  // that of the camera
+    directory_.write("app.xml", text);
+    const Outcome outcome = replay({"--replace", "camera", "-s", "app.xml"});
+    EXPECT_THAT(outcome.err, ContainsRegex("app.xml:[0-9]+:[0-9]+: warning: \\[RPL014\\] the recording has no port "
+                                           "'camera.imgae', so nothing comes from it in connection 'images'; did you "
+                                           "mean 'image'\\?"));
+    EXPECT_THAT(log(), HasSubstr("RPL014"));
+    // Without the option, the component has to be made, and the reason is in the log.
+    EXPECT_EQ(replay({"--log-level", "Info", "-s", "app.xml"}).status, 255);
+    EXPECT_THAT(log(), HasSubstr("its port 'imgae' was not recorded; did you mean 'image'?"));
+}
+
+TEST_F(ReplayFaults, InputsOfWhatIsReplacedAreNotReported) {
+    const Outcome outcome = replay({"--replace", "camera,viewer", "-s", "app.xml"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_THAT(outcome.err, Not(HasSubstr("RPL")));
+    EXPECT_THAT(log(), HasSubstr("the recording has no port 'viewer.pose'"));
+}
+
+TEST_F(ReplayFaults, AComponentThatIsNotInTheDeploymentOrHasToRun) {
+    directory_.write("app.xml", deployment(kCamera));
+    const Outcome missing = replay({"--replace", "camera,viewer", "-s", "app.xml"});
+    EXPECT_EQ(missing.status, 0) << missing.err;
+    EXPECT_THAT(missing.err, HasSubstr("--replace: warning: [RPL015] the deployment has no component 'viewer', so "
+                                       "nothing is replaced by what was recorded"));
+    EXPECT_THAT(missing.err, Not(HasSubstr("no component 'camera'")));
+    directory_.write("app.xml", deployment(component("viewer", "replaytest::Viewer") + R"(
+  <struct name="slave" type="replaytest::Messenger">
+    <struct name="Activity" type="SlaveActivity">
+      <simple name="Master" type="string"><value>viewer</value></simple>
+    </struct>
+  </struct>)"));
+    const Outcome master = replay({"--replace", "viewer", "-s", "app.xml"});
+    EXPECT_THAT(master.err, ContainsRegex("app.xml:[0-9]+:[0-9]+: warning: \\[RPL015\\] component 'viewer' runs, "
+                                          "--replace cannot replace it: it executes others"));
 }
 
 TEST_F(ReplayFaults, AFileThatCannotBeWritten) {

@@ -7,9 +7,18 @@
 #include <rtt/internal/ConnectionManager.hpp>
 #include <rtt/internal/flow/storage_core.hpp>
 
+#include <atomic>
+
 namespace RTT::internal {
 
 using base::ChannelElementBase;
+
+namespace {
+std::atomic<std::uint64_t> changes{0};
+}
+
+std::uint64_t connectionChanges() { return changes.load(std::memory_order_acquire); }
+void countConnectionChange() { changes.fetch_add(1, std::memory_order_acq_rel); }
 
 std::string policyText(const ConnPolicy& policy) {
     switch (policy.type) {

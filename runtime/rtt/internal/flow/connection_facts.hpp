@@ -32,6 +32,12 @@ RTT_API std::vector<base::ChannelElementBase::shared_ptr> storagesOf(const base:
 /** The number of samples for an input port that found no room, in all its present connections. Not real-time safe. */
 RTT_API std::uint64_t droppedSamples(const base::PortInterface& input);
 
+/** Another number after each change of the connections of any port: until then, what was found of them is still true.
+    Real-time safe, any thread. */
+RTT_API std::uint64_t connectionChanges();
+/** By the port's ConnectionManager, after each change. */
+void countConnectionChange();
+
 }  // namespace internal
 }  // namespace RTT
 

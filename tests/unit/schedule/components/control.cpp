@@ -7,6 +7,7 @@
 #include <rtt/Component.hpp>
 #include <rtt/RTT.hpp>
 #include <rtt/os/TimeService.hpp>
+#include <rtt/os/fosi.h>
 
 #include <atomic>
 #include <chrono>
@@ -105,6 +106,37 @@ private:
     int count_ = 0;
 };
 
+/** Waits within its first step for the next one of the ticker, up to 5.5 s. */
+class Patient : public RTT::TaskContext {
+public:
+    explicit Patient(const std::string& name) : RTT::TaskContext(name) {
+        setActivity(new RTT::Activity(ORO_SCHED_OTHER, 0, 0.1, nullptr, name));
+    }
+    ~Patient() override { stopForGood(); }
+
+private:
+    void updateHook() override {
+        if (waited_) return;
+        waited_ = true;
+        const auto begun = RTT::os::TimeService::Instance()->getNSecs();
+        (void)engine()->waitForMessages([begun] { return RTT::os::TimeService::Instance()->getNSecs() != begun; },
+                                        rtos_get_time_ns() + 5500000000);
+    }
+    bool waited_ = false;
+};
+
+/** Has an activity of a class that the runtime does not know. */
+class Loner : public RTT::TaskContext {
+public:
+    explicit Loner(const std::string& name) : RTT::TaskContext(name) {
+        struct Own : RTT::Activity {
+            Own() : RTT::Activity(ORO_SCHED_OTHER, 0, 0.0) {}
+        };
+        setActivity(new Own);
+    }
+    ~Loner() override { stopForGood(); }
+};
+
 }  // namespace replaytest
 
 ORO_CREATE_COMPONENT_LIBRARY()
@@ -113,3 +145,5 @@ ORO_LIST_COMPONENT_TYPE(replaytest::Ticker)
 ORO_LIST_COMPONENT_TYPE(replaytest::Restless)
 ORO_LIST_COMPONENT_TYPE(replaytest::Worldly)
 ORO_LIST_COMPONENT_TYPE(replaytest::Messenger)
+ORO_LIST_COMPONENT_TYPE(replaytest::Patient)
+ORO_LIST_COMPONENT_TYPE(replaytest::Loner)
