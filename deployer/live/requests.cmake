@@ -15,6 +15,7 @@ add_library(oroforge_live_requests OBJECT
   live/requests/lifecycle.cpp
   live/requests/lines.cpp
   live/requests/lookup.cpp
+  live/requests/permissions.cpp
   live/requests/ports.cpp
   live/requests/requests.cpp
   live/requests/set.cpp

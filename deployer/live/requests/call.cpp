@@ -3,6 +3,7 @@
 // The verb `call`.
 #include "failure.hpp"
 #include "fields.hpp"
+#include "permissions.hpp"
 #include "values.hpp"
 #include "verbs.hpp"
 
@@ -12,7 +13,6 @@
 #include <rtt/internal/GlobalEngine.hpp>
 #include <rtt/internal/OperationCallerC.hpp>
 #include <rtt/internal/calls/operation_signature.hpp>
-#include <rtt/internal/calls/standard_operations.hpp>
 #include <rtt/types/Types.hpp>
 
 #include <exception>
@@ -44,29 +44,6 @@ struct Call {
         if (!caller.call()) throw Failure(kFailed, "operation '" + path + "' was not executed; the log says why");
     }
 };
-
-/** Operations must not be a way around the other permissions. */
-void checkRights(const Asked& asked, const Found& at) {
-    const Rights& rights = asked.caller.rights;
-    const std::string &name = at.rest.front(), whole = "operation '" + at.pathWith(name) + "'";
-    const auto* const standard = RTT::internal::standardOperation(name);
-    const bool changesState = at.component && at.service == at.component->provides() && at.rest.size() == 1 &&
-                              standard && (!standard->isQuery || name.compare(0, 3, "set") == 0);
-    const std::string lifecycle = "; the deployer's option --web-allow=lifecycle allows it";
-    if (!rights.lifecycle && changesState)
-        throw Failure(kNotAllowed,
-                      whole + " changes the state of its component, which is not allowed here" + lifecycle);
-    if (!rights.lifecycle && at.gate && at.gate == asked.root.gate)
-        throw Failure(kNotAllowed, whole +
-                                       " belongs to the deployer, which changes all components, and is not "
-                                       "allowed here" +
-                                       lifecycle);
-    const std::string service = at.service->getName();
-    if (!rights.console && (service == "scripting" || service == "marshalling"))
-        throw Failure(kNotAllowed, whole +
-                                       " executes scripts or reads and writes files; only 'oro' on the same "
-                                       "computer may call it");
-}
 
 /** The operation at the end of the path; those of ports, too. */
 const OperationInterfacePart* operationIn(const Found& at) {
@@ -186,7 +163,7 @@ json call(const Asked& asked) {
             if (at.rest.empty())
                 throw Failure(kUnknownName, "'" + textField(asked.request, "path") + "' is a " +
                                                 (at.isComponent ? "component" : "service") + ", expected an operation");
-            checkRights(asked, at);
+            checkCall(asked, at);
             call = prepare(at, arguments);
             note();
             // The component must exist while its code runs in this thread.

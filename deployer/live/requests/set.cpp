@@ -4,6 +4,7 @@
 #include "failure.hpp"
 #include "fields.hpp"
 #include "found_value.hpp"
+#include "permissions.hpp"
 #include "verbs.hpp"
 
 #include <rtt/Logger.hpp>
@@ -47,6 +48,7 @@ json set(const Asked& asked) {
                                       ", expected either 'value' (JSON) or 'text'");
     const FoundValue found = findValue(asked, textField(asked.request, "path"));
     checkWritable(found);
+    checkSet(asked, found);
     const Source whole = read(found, asked.limit);
     const Source part = partOf(whole, found.parts, found.whole);
     const std::string before = textOf(part, kLogged);

@@ -263,8 +263,40 @@ TEST_F(RequestsTest, OperationsAreNoWayAroundOtherPermissions) {
     EXPECT_EQ(true, result("call", {{"path", "Arm.start"}})["value"]);
     ASSERT_TRUE(arm->loadService("scripting"));
     EXPECT_THAT(failure("call", {{"path", "Arm.scripting.eval"}, {"arguments", {"Arm.stop()"}}}),
-                StartsWith("LIV005: operation 'Arm.scripting.eval' executes scripts"));
+                StartsWith("LIV005: operation 'Arm.scripting.eval' executes code"));
     EXPECT_TRUE(arm->isRunning());
+}
+
+TEST_F(RequestsTest, OnlyAConsoleReachesFilesAndPrograms) {
+    bool executed = false;
+    const std::function<bool(const std::string&)> execute = [&executed](const std::string&) { return executed = true; };
+    for (const char* const name : {"os", "Lua", "LuaTLSF"}) {
+        const auto service = RTT::Service::Create(name);
+        service->addOperation("execute", execute);
+        ASSERT_TRUE(arm->provides()->addService(service));
+    }
+    arm->addOperation("exec_str", execute);
+    for (const char* const name : {"runScript", "kickStart", "loadComponents", "loadConfigurationString", "import"})
+        deployer->addOperation(name, execute);
+    std::string code;
+    arm->addProperty("lua_string", code);
+    rights = {};
+    rights.properties = rights.operations = rights.lifecycle = true;
+    for (const char* const path :
+         {"Arm.os.execute", "Arm.Lua.execute", "Arm.LuaTLSF.execute", "Arm.exec_str", "runScript", "Deployer.kickStart",
+          "Arm.Deployer.loadComponents", "loadConfigurationString", "import"}) {
+        arm->addPeer(deployer.get());
+        EXPECT_THAT(failure("call", {{"path", path}, {"arguments", {"touch x"}}}),
+                    testing::AllOf(StartsWith("LIV005: operation '"), HasSubstr("executes code or commands")))
+            << path;
+    }
+    EXPECT_FALSE(executed);
+    EXPECT_THAT(failure("set", {{"path", "Arm.lua_string"}, {"value", "os.execute('x')"}}),
+                StartsWith("LIV005: 'Arm.lua_string' is code"));
+    EXPECT_EQ("", code);
+    rights.console = true;
+    EXPECT_EQ(true, result("call", {{"path", "Arm.os.execute"}, {"arguments", {"touch x"}}})["value"]);
+    EXPECT_EQ("return 1", result("set", {{"path", "Arm.lua_string"}, {"value", "return 1"}})["value"]);
 }
 
 TEST_F(RequestsTest, StopEndsTheDeployment) {

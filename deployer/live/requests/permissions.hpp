@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef OROFORGE_LIVE_PERMISSIONS_HPP
+#define OROFORGE_LIVE_PERMISSIONS_HPP
+
+#include "found_value.hpp"
+#include "verbs.hpp"
+
+namespace OCL::live {
+
+/** Operations must not be a way around the other permissions, nor to the files and programs of the computer. Throws
+    Failure if the caller may not call what the path leads to. */
+void checkCall(const Asked& asked, const Found& at);
+/** The same for properties that are code. */
+void checkSet(const Asked& asked, const FoundValue& found);
+
+}  // namespace OCL::live
+
+#endif
