@@ -64,8 +64,7 @@ std::optional<Timing> timingOf(ActivityInterface* given, const std::string& comp
         RTT::log(RTT::Warning) << "warning: ["
                                << "RPL004"
                                << "] component '" << component
-                               << "' waits for file descriptors, which are never ready in a replay"
-                               << RTT::endlog();
+                               << "' waits for file descriptors, which are never ready in a replay" << RTT::endlog();
     Timing timing;
     timing.kind = *kind;
     timing.period = periodOf(*given);
