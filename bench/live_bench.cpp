@@ -30,6 +30,8 @@
 namespace {
 
 constexpr double kPeriod = 0.001;
+/** Times of write(), compared with those that nobody watches. */
+constexpr double kOfAll = 1.6, kOfTimes = 2.2;
 
 /** Writes all its ports every millisecond, and keeps how late it was. */
 class Source : public RTT::TaskContext {
@@ -101,9 +103,10 @@ private:
 /** A process that watches the first ports of the source, until it is destroyed. */
 class Client {
 public:
-    /** `rate`: samples per second of each port; 0: all. */
-    Client(const std::string& path, unsigned ports, unsigned rate) : process_(fork()) {
-        if (process_ == 0) watch(path, ports, rate);
+    /** `how`: further fields of its requests; without any it gets all samples, as JSON. */
+    Client(const std::string& path, unsigned ports, const nlohmann::json& how = nlohmann::json::object())
+        : process_(fork()) {
+        if (process_ == 0) watch(path, ports, how);
         // Until it has subscribed.
         std::this_thread::sleep_for(std::chrono::milliseconds(300));
     }
@@ -115,12 +118,12 @@ public:
     void freeze() const { kill(process_, SIGSTOP); }
 
 private:
-    [[noreturn]] static void watch(const std::string& path, unsigned ports, unsigned rate) {
+    [[noreturn]] static void watch(const std::string& path, unsigned ports, const nlohmann::json& how) {
         auto client = live_test::RawClient::unixSocket(path);
         if (!client.open()) _exit(1);
         for (unsigned i = 0; i != ports; ++i) {
             nlohmann::json wanted = {{"op", "oro.watch"}, {"id", i}, {"port", "Source.number" + std::to_string(i)}};
-            if (rate != 0) wanted["rate"] = rate;
+            wanted.update(how);
             if (!client.say(wanted)) _exit(1);
         }
         while (!client.all(1000).empty()) {
@@ -145,8 +148,8 @@ void latenessWatchedByFour(benchmark::State& state) {
     bench::inPairs(
         state, 1.1,
         [&] {
-            const Client one(deployment.path(), 1, 0), two(deployment.path(), 1, 0), three(deployment.path(), 1, 0),
-                frozen(deployment.path(), 1, 0);
+            const Client one(deployment.path(), 1), two(deployment.path(), 1), three(deployment.path(), 1),
+                frozen(deployment.path(), 1);
             frozen.freeze();
             return lateness();
         },
@@ -154,14 +157,15 @@ void latenessWatchedByFour(benchmark::State& state) {
 }
 BENCHMARK(latenessWatchedByFour)->Iterations(11)->UseManualTime()->Unit(benchmark::kMicrosecond);
 
-/** A hundred samples, then time for the client: the buffer of the watch does not get full. */
-void writeWatched(benchmark::State& state) {
+/** What a watch costs write(), of a port that has a connection. A hundred samples, then time for the client: the buffer
+    of the watch does not get full. */
+void writeWatched(benchmark::State& state, double target, const nlohmann::json& how) {
     Deployment deployment(2);
     RTT::OutputPort<double>&watched = *deployment.source.outputs[0], &other = *deployment.source.outputs[1];
     RTT::InputPort<double> readers[2] = {{"a"}, {"b"}};
     watched.connectTo(&readers[0]);
     other.connectTo(&readers[1]);
-    const Client client(deployment.path(), 1, 60);
+    const Client client(deployment.path(), 1, how);
     const auto write = [](RTT::OutputPort<double>& port) {
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
         constexpr int count = 100;
@@ -172,9 +176,15 @@ void writeWatched(benchmark::State& state) {
                count;
     };
     bench::inPairs(
-        state, 1.3, [&] { return write(watched); }, [&] { return write(other); });
+        state, target, [&] { return write(watched); }, [&] { return write(other); });
 }
-BENCHMARK(writeWatched)->Iterations(bench::kPairs)->UseManualTime()->Unit(benchmark::kNanosecond);
+/** By one that wants the newest sample, one that wants all, and a recorder, which wants their times, too. */
+void writeDrawn(benchmark::State& state) { writeWatched(state, 1.3, {{"rate", 60}}); }
+void writeFollowed(benchmark::State& state) { writeWatched(state, kOfAll, nlohmann::json::object()); }
+void writeRecorded(benchmark::State& state) { writeWatched(state, kOfTimes, {{"format", "cdr"}, {"times", true}}); }
+BENCHMARK(writeDrawn)->Iterations(bench::kPairs)->UseManualTime()->Unit(benchmark::kNanosecond);
+BENCHMARK(writeFollowed)->Iterations(bench::kPairs)->UseManualTime()->Unit(benchmark::kNanosecond);
+BENCHMARK(writeRecorded)->Iterations(bench::kPairs)->UseManualTime()->Unit(benchmark::kNanosecond);
 
 /** Part of a processor that the server takes for a client that draws 200 ports of 1 kHz. */
 void twoHundredPorts(benchmark::State& state) {
@@ -184,7 +194,7 @@ void twoHundredPorts(benchmark::State& state) {
     std::vector<double> parts;
     for (auto _ : state) {
         const double alone = load();
-        const Client client(deployment.path(), 200, 60);
+        const Client client(deployment.path(), 200, {{"rate", 60}});
         parts.push_back(load() - alone);
         state.SetIterationTime(parts.back());
     }

@@ -17,6 +17,7 @@ add_library(orocos-ocl-taskbrowser SHARED
   console/interrupts.cpp
   console/kept_terminal.cpp
   console/known_ports.cpp
+  console/libedit_parts.cpp
   console/line_editor.cpp
   console/line_source.cpp
   console/listing.cpp

@@ -7,6 +7,7 @@ find_package(nlohmann_json REQUIRED)
 find_package(Threads REQUIRED)
 add_library(oroforge_live_client STATIC
   console/history.cpp
+  console/libedit_parts.cpp
   console/table.cpp
   console/theme.cpp
   live/client/address.cpp

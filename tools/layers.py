@@ -48,9 +48,11 @@ LAYER_OF = {
     "deployer/console/table.": "console_text",
     "deployer/console/theme.": "console_text",
     "deployer/console/history.": "console_text",
+    "deployer/console/libedit_parts.": "console_text",
     "deployer/live/client/": "live_client",
     "deployer/live/door/": "live_door",
     "deployer/live/requests/": "live_requests",
+    "deployer/live/rights.hpp": "live_rights",    # a struct that door and requests pass on
     "deployer/live/samples/": "live_samples",
     "deployer/live/server/": "live_server",
     "deployer/lua/": "lua",
@@ -128,10 +130,11 @@ MAY_INCLUDE = {
     "console": DEPLOYER | {"console_text"},
     "console_text": set(),
     "live_client": {"diag", "console_text", "mcap", "mcap_file"},
-    "live_requests": DEPLOYER | {"encoding", "console", "console_text"},
-    "live_door": {"os"},                    # in every deployment: neither JSON nor Beast
+    "live_rights": set(),
+    "live_requests": DEPLOYER | {"encoding", "console", "console_text", "live_rights"},
+    "live_door": {"os", "live_rights"},     # in every deployment: neither JSON nor Beast
     "live_samples": DEPLOYER | {"encoding"},
-    "live_server": DEPLOYER | {"encoding", "live_door", "live_requests", "live_samples"},
+    "live_server": DEPLOYER | {"encoding", "live_door", "live_requests", "live_rights", "live_samples"},
     "lua": DEPLOYER,
     "mcap": set(),
     "mcap_file": {"os", "mcap"},            # what recorders with and without the runtime write
@@ -144,7 +147,7 @@ MAY_INCLUDE = {
     "components": DEPLOYER,
     "chain": DEPLOYER,
     "rt_check": set(),                      # preloaded: it must not bring the runtime along
-    "bin": DEPLOYER | {"deployment", "console", "lua", "reporting", "replay", "schedule", "logging", "components", "chain", "rt_check", "corba", "report", "live_client", "live_door", "console_text"},
+    "bin": DEPLOYER | {"deployment", "console", "lua", "reporting", "replay", "schedule", "logging", "components", "chain", "rt_check", "corba", "report", "live_client", "live_door", "live_rights", "console_text"},
     "model": {"diag"},
     "manifest": LEAFS | {"model"},
     "adapters": LEAFS,
@@ -186,7 +189,7 @@ FOREIGN = {
     r"(ros|roscpp|tf2?|actionlib|dynamic_reconfigure)/": ["ros/", "tests/unit/ros_", "bench/ros_"],
     # Of the runtime, what stays out of components and their libraries.
     r"nlohmann/": ["runtime/report/", "runtime/rtt/encoding/", "deployer/live/", "deployer/logging/", "generator/", "typekit_gen/", "tests/"],
-    r"boost/(asio|beast)(/|\.hpp)": ["deployer/live/server/transport.cpp", "deployer/live/client/", "tests/unit/live/", "tests/fuzz/"],
+    r"boost/(asio|beast)(/|\.hpp)": ["deployer/live/server/transport.cpp", "deployer/live/server/collecting_socket.hpp", "deployer/live/client/", "tests/unit/live/", "tests/fuzz/"],
     r"kainjow/": ["generator/render/"],
     r"CLI/": ["generator/driver/", "typekit_gen/driver/", "deployer/"],
     r"(gtest|gmock)/": ["tests/", "templates/", "examples/"],    # packages bring a test

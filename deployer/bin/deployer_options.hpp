@@ -4,6 +4,7 @@
 #ifndef OROFORGE_DEPLOYER_OPTIONS_HPP
 #define OROFORGE_DEPLOYER_OPTIONS_HPP
 
+#include <live/rights.hpp>
 #include <report/report.hpp>
 #include <rtt/Logger.hpp>
 
@@ -47,8 +48,8 @@ struct Options {
     bool live = true;        // other programs of this user may look at the deployment
     std::string webAddress;  // and through this port; empty: there is none
     std::string webTokenFile;
-    std::vector<std::string> webOrigins;                                      // sites whose pages may connect
-    bool webProperties = false, webOperations = false, webLifecycle = false;  // what they may do there besides looking
+    std::vector<std::string> webOrigins;  // sites whose pages may connect
+    live::Rights webMay;                  // what they may do there
 
     bool endsAtOnce() const { return check || dryRun; }
     /** The file that is deployed before all others, if it exists. */

@@ -48,11 +48,11 @@ void takeLive(const po::variables_map& values, Options& options, std::string& er
     std::istringstream words(values["web-allow"].as<std::string>());
     for (std::string word; std::getline(words, word, ',');) {
         if (word == kPermissions[0])
-            options.webProperties = true;
+            options.webMay.properties = true;
         else if (word == kPermissions[1])
-            options.webOperations = true;
+            options.webMay.operations = true;
         else if (word == kPermissions[2])
-            options.webLifecycle = true;
+            options.webMay.lifecycle = true;
         else
             error = "unknown permission '" + word + "' of --web-allow, expected " + diag::oneOf(kPermissions) +
                     diag::didYouMean(word, kPermissions);

@@ -183,7 +183,7 @@ bool LiveWindow::open(DeploymentComponent& deployer) {
     how.webAddress = impl_->address.text();
     how.webIsLoopback = impl_->address.isLoopback();
     how.token = impl_->token;
-    how.webMay = {impl_->options.webProperties, impl_->options.webOperations, impl_->options.webLifecycle};
+    how.webMay = impl_->options.webMay;
     how.webOrigins = impl_->options.webOrigins;
     std::string error;
     impl_->server.reset(serve(how, error));

@@ -5,6 +5,7 @@
 #include "known_ports.hpp"
 #include "port_table.hpp"
 #include "table.hpp"
+#include "type_name.hpp"
 #include "value_table.hpp"
 #include "value_text.hpp"
 
@@ -26,8 +27,6 @@ namespace OCL::console {
 namespace {
 
 constexpr const char* kFurther = "    ";  // indent of further lines of a signature
-
-std::string dotted(const std::string& type) { return RTT::types::Types()->toDot(type); }
 
 /** The type without const and reference, unless the argument is also a result. */
 std::string argumentType(const std::string& type) {

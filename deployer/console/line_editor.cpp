@@ -5,18 +5,15 @@
 #include "cursor_row.hpp"
 #include "interrupts.hpp"
 #include "kept_terminal.hpp"
+#include "libedit_parts.hpp"
 #include "output_above.hpp"
 #include "table.hpp"
 #include "terminal_signals.hpp"
 
-#include <histedit.h>
-
 #include <algorithm>
 #include <cerrno>
-#include <clocale>
 #include <cstdio>
 #include <cstring>
-#include <cwchar>
 #include <deque>
 #include <exception>
 #include <iterator>
@@ -32,7 +29,6 @@ namespace {
 
 // Put around parts of a prompt that do not move the cursor.
 constexpr char kEscape = '\1';
-constexpr int kRemembered = 1000;
 // Milliseconds without output of other threads before the line is drawn again.
 constexpr int kPauseOfOutput = 10;
 // Milliseconds to wait for the other letters of a key.
@@ -78,11 +74,7 @@ struct LineEditor::Impl {
     Impl(History& history, Complete complete, int endsOn, Echo echo);
     ~Impl();
 
-    static Impl& of(EditLine* edit) {
-        void* self = nullptr;
-        el_get(edit, EL_CLIENTDATA, &self);
-        return *static_cast<Impl*>(self);
-    }
+    static Impl& of(EditLine* edit) { return ownerOf<Impl>(edit); }
     static char* showPrompt(EditLine* edit) { return of(edit).prompt.data(); }
     static int readKey(EditLine* edit, wchar_t* key) { return of(edit).next(key); }
     static unsigned char onTab(EditLine* edit, int) { return of(edit).completeLine(); }
@@ -92,7 +84,6 @@ struct LineEditor::Impl {
     }
     static unsigned char onPaste(EditLine* edit, int) { return of(edit).takePaste(); }
     void bindKeys();
-    void prepareTerminal();
     int next(wchar_t* key);
     bool readLetter(wchar_t* key);
     void followSearch(wchar_t key);
@@ -105,12 +96,11 @@ struct LineEditor::Impl {
     void drawAnew(bool shown);
     void draw();
 
-    History& lines;
     const Complete complete;
     const int endsOn;
     KeptTerminal kept;  // made before libedit changes the terminal
-    EditLine* edit;
-    ::History* remembered;
+    EditLine* const edit;
+    EditHistory lines;
     const bool erases;
     OutputAbove above;
     TerminalSignals signals;
@@ -122,25 +112,16 @@ struct LineEditor::Impl {
 };
 
 LineEditor::Impl::Impl(History& history, Complete completion, int ends, Echo echo)
-    : lines(history),
-      complete(std::move(completion)),
+    : complete(std::move(completion)),
       endsOn(ends),
       edit(el_init("console", stdin, stdout, stderr)),
-      remembered(history_init()),
+      lines(edit, history),
       erases(canErase(edit)),
       above(erases),
       signals(above.descriptor()) {
-    // Needed to read and draw letters beyond ASCII in the encoding of the terminal.
-    const auto hasNone = [] { return std::strcmp(std::setlocale(LC_CTYPE, nullptr), "C") == 0; };
-    if (hasNone()) std::setlocale(LC_CTYPE, "");
-    if (hasNone()) std::setlocale(LC_CTYPE, "C.UTF-8");  // the usual encoding of terminals
-    HistEvent event;
-    ::history(remembered, &event, H_SETSIZE, kRemembered);
-    for (const std::string& line : lines.lines()) ::history(remembered, &event, H_ENTER, line.c_str());
     el_set(edit, EL_CLIENTDATA, this);
     el_set(edit, EL_PROMPT_ESC, &Impl::showPrompt, kEscape);
     el_set(edit, EL_GETCFN, &Impl::readKey);
-    el_set(edit, EL_HIST, &::history, remembered);
     bindKeys();
     // Also while commands are executed: echoed keys would mix with their output and with the next prompt.
     if (echo == Echo::Lines) el_set(edit, EL_SETTY, "-x", "-echo", nullptr);
@@ -149,34 +130,12 @@ LineEditor::Impl::Impl(History& history, Complete completion, int ends, Echo ech
 LineEditor::Impl::~Impl() {
     el_set(edit, EL_EDITMODE, 0);  // it would drop keys that were typed meanwhile; `kept` restores the terminal
     el_end(edit);
-    history_end(remembered);
 }
 
 void LineEditor::Impl::bindKeys() {
-    el_set(edit, EL_EDITOR, "emacs");
-    el_set(edit, EL_ADDFN, "console-complete", "completes the word", &Impl::onTab);
-    el_set(edit, EL_ADDFN, "console-drop", "forgets the line", &Impl::onDrop);
+    bindUsualKeys(edit, &Impl::onTab, &Impl::onDrop);
     el_set(edit, EL_ADDFN, "console-paste", "takes what is pasted", &Impl::onPaste);
-    const char* const keys[][2] = {
-        {"^I", "console-complete"},   {"^C", "console-drop"},       {kPasteBegins, "console-paste"},
-        {"^R", "em-inc-search-prev"}, {"\\e[1~", "ed-move-to-beg"}, {"\\e[4~", "ed-move-to-end"},
-        {"\\e[H", "ed-move-to-beg"},  {"\\e[F", "ed-move-to-end"},  {"\\e[3~", "ed-delete-next-char"},
-        {"\\e[1;5C", "em-next-word"}, {"\\e[1;5D", "ed-prev-word"}};
-    for (const auto& key : keys) el_set(edit, EL_BIND, key[0], key[1], nullptr);
-}
-
-/**
- * Sets the terminal before the prompt: libedit does so only when it reads the first key, so keys typed before that
- * would be shown twice. Also disables the key for SIGINT, which libedit cannot; it restores the terminal after the
- * line.
- */
-void LineEditor::Impl::prepareTerminal() {
-    el_set(edit, EL_PREP_TERM, 1);
-    termios mode = {};
-    if (tcgetattr(STDIN_FILENO, &mode) != 0) return;
-    mode.c_cc[VINTR] = _POSIX_VDISABLE;
-    while (tcsetattr(STDIN_FILENO, TCSADRAIN, &mode) != 0 && errno == EINTR) {
-    }
+    el_set(edit, EL_BIND, kPasteBegins, "console-paste", nullptr);
 }
 
 /** Gives libedit the next key; 0 at the end of the input. */
@@ -203,7 +162,7 @@ void LineEditor::Impl::followSearch(wchar_t key) {
 
 /** Reads a letter, which may have several bytes, from the terminal. */
 bool LineEditor::Impl::readLetter(wchar_t* key) {
-    std::mbstate_t state = {};
+    Letters letters;
     for (;;) {
         const Wake woken = waitForKey();
         if (woken == Wake::Signal) continue;
@@ -216,18 +175,7 @@ bool LineEditor::Impl::readLetter(wchar_t* key) {
         const ssize_t got = ::read(STDIN_FILENO, &byte, 1);
         if (got < 0 && errno == EINTR) continue;
         if (got <= 0) return false;
-        const bool begun = !std::mbsinit(&state);
-        std::size_t used = std::mbrtowc(key, &byte, 1, &state);
-        if (used == static_cast<std::size_t>(-1)) {
-            // Not a letter in this encoding: dropped, unless the byte begins another letter.
-            state = {};
-            if (begun) used = std::mbrtowc(key, &byte, 1, &state);
-            if (!begun || used == static_cast<std::size_t>(-1)) {
-                state = {};
-                continue;
-            }
-        }
-        if (used != static_cast<std::size_t>(-2)) return true;
+        if (letters.add(byte, *key)) return true;
     }
 }
 
@@ -273,7 +221,7 @@ void LineEditor::Impl::drawAnew(bool shown) {
     if (signals.takeResumed()) {
         // Another program may have changed the terminal and moved the cursor.
         el_set(edit, EL_PREP_TERM, 0);
-        prepareTerminal();
+        prepareTerminal(edit);
         if (erases) std::fputs(kMarkPaste, stdout);
         if (shown) above.erase(0);
     } else if (shown) {
@@ -343,7 +291,7 @@ LineSource::Outcome LineEditor::read(const std::string& prompt, std::string& lin
     impl.shownPrompt = prompt;
     impl.dropped = impl.ended = impl.searching = false;
     if (impl.signals.takeResized()) el_resize(impl.edit);
-    impl.prepareTerminal();
+    prepareTerminal(impl.edit);
     forgetInterrupts();  // from now until the line is complete, Ctrl-C is a key instead of a signal
     impl.above.lock();
     impl.above.makeRoom();
@@ -351,7 +299,7 @@ LineSource::Outcome LineEditor::read(const std::string& prompt, std::string& lin
     setPasteMarked(impl.erases);
     int count = 0;
     const char* const text = el_gets(impl.edit, &count);
-    line = text && count > 0 ? std::string(text, static_cast<std::size_t>(count)) : "";
+    line = lineOf(text, count);
     setPasteMarked(false);
     if (impl.erases) std::fputs(kUnmarkPaste, stdout);
     if (impl.dropped) {
@@ -363,9 +311,7 @@ LineSource::Outcome LineEditor::read(const std::string& prompt, std::string& lin
         return Outcome::End;
     }
     impl.above.end("");
-    while (!line.empty() && (line.back() == '\n' || line.back() == '\r')) line.pop_back();
-    HistEvent event;
-    if (impl.lines.add(line)) ::history(impl.remembered, &event, H_ENTER, line.c_str());
+    impl.lines.add(line);
     return Outcome::Line;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Reads lines from a terminal. Only this file uses libedit.
+// Reads lines from a terminal.
 #ifndef OROFORGE_CONSOLE_LINE_EDITOR_HPP
 #define OROFORGE_CONSOLE_LINE_EDITOR_HPP
 

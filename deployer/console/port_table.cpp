@@ -4,11 +4,11 @@
 
 #include "known_ports.hpp"
 #include "table.hpp"
+#include "type_name.hpp"
 #include "value_text.hpp"
 
 #include <rtt/DataFlowInterface.hpp>
 #include <rtt/internal/ConnectionManager.hpp>
-#include <rtt/types/Types.hpp>
 
 namespace OCL::console {
 namespace {
@@ -38,8 +38,7 @@ void writePorts(Screen& screen, RTT::DataFlowInterface& ports, const std::string
         const KnownPorts known(around, visits);
         for (const RTT::base::PortInterface* const port : ports.getPorts()) {
             const auto last = known.lastSample(*port);
-            table.add({port->asInput() ? "in" : "out", port->getName(),
-                       RTT::types::Types()->toDot(port->getTypeInfo()->getTypeName()),
+            table.add({port->asInput() ? "in" : "out", port->getName(), dotted(port->getTypeInfo()->getTypeName()),
                        last ? "= " + shortened(oneLine(valueText(last, screen.hex)), screen.valueWidth()) : "",
                        partnersOf(*port), oneLine(port->getDescription())});
         }

@@ -3,10 +3,10 @@
 #include "value_table.hpp"
 
 #include "table.hpp"
+#include "type_name.hpp"
 #include "value_text.hpp"
 
 #include <rtt/ConfigurationInterface.hpp>
-#include <rtt/types/Types.hpp>
 
 namespace OCL::console {
 namespace {
@@ -17,7 +17,7 @@ std::string cellOf(const Source& value, const Screen& screen) {
     return value ? "= " + shortened(oneLine(valueText(value, screen.hex)), screen.valueWidth()) : "";
 }
 
-std::string typeOf(const Source& value) { return value ? RTT::types::Types()->toDot(value->getTypeName()) : "?"; }
+std::string typeOf(const Source& value) { return value ? dotted(value->getTypeName()) : "?"; }
 
 }  // namespace
 

@@ -7,12 +7,12 @@
 #include "line_source.hpp"
 #include "port_probe.hpp"
 #include "table.hpp"
+#include "type_name.hpp"
 #include "value_lines.hpp"
 #include "value_text.hpp"
 
 #include <rtt/internal/ConnectionManager.hpp>
 #include <rtt/internal/engine/interruption.hpp>
-#include <rtt/types/Types.hpp>
 
 #include <chrono>
 #include <cstdint>
@@ -126,7 +126,7 @@ void complainGone(ConsoleState& state, const Input& input) {
 
 std::vector<std::string> sampleLines(const Screen& screen, const std::string& name, const PortProbe& probe,
                                      std::uint64_t seen) {
-    std::vector<std::string> lines{name + "  " + RTT::types::Types()->toDot(probe.value()->getTypeName()) + "  " +
+    std::vector<std::string> lines{name + "  " + dotted(probe.value()->getTypeName()) + "  " +
                                    (seen == 0 ? "no sample yet" : "sample " + std::to_string(seen)) +
                                    "; Enter ends this"};
     if (seen == 0) return lines;

@@ -75,7 +75,7 @@ void plotPort(Session& session) {
     double left = session.given().number("count", 0, 1, 1e9);
     const bool counts = left > 0;
     followPort(
-        session, Json::object(),
+        session, {{"times", true}},
         [&](const Json& message, const Json& value) {
             plot.add(message, value);
             return !counts || --left > 0;

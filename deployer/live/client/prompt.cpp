@@ -4,16 +4,11 @@
 
 #include "output.hpp"
 
-#include <console/history.hpp>
-
-#include <histedit.h>
+#include <console/libedit_parts.hpp>
 
 #include <cerrno>
-#include <clocale>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
-#include <cwchar>
 #include <exception>
 #include <sstream>
 #include <utility>
@@ -23,8 +18,6 @@
 
 namespace oroforge::live_client {
 namespace {
-
-constexpr int kRemembered = 1000;
 
 std::string historyFile() {
     const std::string given = OCL::console::fileNamedBy("ORO_HISTFILE");
@@ -38,11 +31,7 @@ struct Prompt::Impl {
     Impl(Wait waiting, Complete completion);
     ~Impl();
 
-    static Impl& of(EditLine* edit) {
-        void* self = nullptr;
-        el_get(edit, EL_CLIENTDATA, &self);
-        return *static_cast<Impl*>(self);
-    }
+    static Impl& of(EditLine* edit) { return OCL::console::ownerOf<Impl>(edit); }
     static char* showPrompt(EditLine* edit) { return of(edit).prompt.data(); }
     static int readKey(EditLine* edit, wchar_t* key) { return of(edit).next(key); }
     static unsigned char onTab(EditLine* edit, int) { return of(edit).completeLine(); }
@@ -52,13 +41,12 @@ struct Prompt::Impl {
     }
     int next(wchar_t* key);
     unsigned char completeLine();
-    void prepareTerminal() const;
 
     const Wait wait;
     const Complete complete;
-    OCL::console::History lines{historyFile()};
+    OCL::console::History history{historyFile()};
     EditLine* const edit;
-    ::History* const remembered;
+    OCL::console::EditHistory lines;
     std::string prompt;
     bool dropped = false;
     std::exception_ptr failure;  // must not pass through libedit, which is C
@@ -68,43 +56,18 @@ Prompt::Impl::Impl(Wait waiting, Complete completion)
     : wait(std::move(waiting)),
       complete(std::move(completion)),
       edit(el_init("oro", stdin, stdout, stderr)),
-      remembered(history_init()) {
-    std::setlocale(LC_CTYPE, "");
-    if (std::strcmp(std::setlocale(LC_CTYPE, nullptr), "C") == 0) std::setlocale(LC_CTYPE, "C.UTF-8");
-    HistEvent event;
-    ::history(remembered, &event, H_SETSIZE, kRemembered);
-    for (const std::string& line : lines.lines()) ::history(remembered, &event, H_ENTER, line.c_str());
+      lines(edit, history) {
     el_set(edit, EL_CLIENTDATA, this);
     el_set(edit, EL_PROMPT, &Impl::showPrompt);
     el_set(edit, EL_GETCFN, &Impl::readKey);
-    el_set(edit, EL_HIST, &::history, remembered);
-    el_set(edit, EL_EDITOR, "emacs");
-    el_set(edit, EL_ADDFN, "oro-complete", "completes the word", &Impl::onTab);
-    el_set(edit, EL_ADDFN, "oro-drop", "forgets the line", &Impl::onDrop);
-    const char* const keys[][2] = {{"^I", "oro-complete"},       {"^C", "oro-drop"},
-                                   {"^R", "em-inc-search-prev"}, {"\\e[1~", "ed-move-to-beg"},
-                                   {"\\e[4~", "ed-move-to-end"}, {"\\e[3~", "ed-delete-next-char"}};
-    for (const auto& key : keys) el_set(edit, EL_BIND, key[0], key[1], nullptr);
+    OCL::console::bindUsualKeys(edit, &Impl::onTab, &Impl::onDrop);
 }
 
-Prompt::Impl::~Impl() {
-    el_end(edit);
-    history_end(remembered);
-}
-
-/** libedit sets the terminal when it reads the first key; then Ctrl-C would be a signal until that. */
-void Prompt::Impl::prepareTerminal() const {
-    el_set(edit, EL_PREP_TERM, 1);
-    termios mode = {};
-    if (tcgetattr(STDIN_FILENO, &mode) != 0) return;
-    mode.c_cc[VINTR] = _POSIX_VDISABLE;
-    while (tcsetattr(STDIN_FILENO, TCSADRAIN, &mode) != 0 && errno == EINTR) {
-    }
-}
+Prompt::Impl::~Impl() { el_end(edit); }
 
 /** Gives libedit the next letter, which may have several bytes; 0 at the end. */
 int Prompt::Impl::next(wchar_t* key) {
-    std::mbstate_t state = {};
+    OCL::console::Letters letters;
     try {
         for (;;) {
             wait();
@@ -112,11 +75,7 @@ int Prompt::Impl::next(wchar_t* key) {
             const ssize_t got = ::read(STDIN_FILENO, &byte, 1);
             if (got < 0 && errno == EINTR) continue;
             if (got <= 0) return 0;
-            const std::size_t used = std::mbrtowc(key, &byte, 1, &state);
-            if (used == static_cast<std::size_t>(-1))
-                state = {};  // no letter in this encoding
-            else if (used != static_cast<std::size_t>(-2))
-                return 1;
+            if (letters.add(byte, *key)) return 1;
         }
     } catch (...) {
         failure = std::current_exception();
@@ -153,10 +112,10 @@ Prompt::Outcome Prompt::read(const std::string& prompt, std::string& line) {
     impl.prompt = prompt;
     impl.dropped = false;
     impl.failure = nullptr;
-    impl.prepareTerminal();
+    OCL::console::prepareTerminal(impl.edit);
     int count = 0;
     const char* const text = el_gets(impl.edit, &count);
-    line = text && count > 0 ? std::string(text, static_cast<std::size_t>(count)) : "";
+    line = OCL::console::lineOf(text, count);
     el_set(impl.edit, EL_PREP_TERM, 0);
     if (impl.dropped) std::fputs("^C", stdout);
     if (impl.dropped || !text || count <= 0) std::fputs("\n", stdout);
@@ -164,9 +123,7 @@ Prompt::Outcome Prompt::read(const std::string& prompt, std::string& line) {
     if (impl.failure) std::rethrow_exception(impl.failure);
     if (impl.dropped) return Outcome::Dropped;
     if (!text || count <= 0) return Outcome::End;
-    while (!line.empty() && (line.back() == '\n' || line.back() == '\r')) line.pop_back();
-    HistEvent event;
-    if (impl.lines.add(line)) ::history(impl.remembered, &event, H_ENTER, line.c_str());
+    impl.lines.add(line);
     return Outcome::Line;
 }
 

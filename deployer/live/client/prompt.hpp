@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Lines that are typed on a terminal. Only prompt.cpp uses libedit.
+// Lines that are typed on a terminal.
 #ifndef OROFORGE_LIVE_CLIENT_PROMPT_HPP
 #define OROFORGE_LIVE_CLIENT_PROMPT_HPP
 

@@ -16,8 +16,6 @@ namespace oroforge::live_client {
 namespace {
 
 constexpr double kNanosecond = 1e-9;
-// The deployment looks at ports every 10 ms, so the spread of shorter intervals is that of its looks.
-constexpr double kShortest = 0.05;
 constexpr long long kSamplesQueued = 4096;  // in the deployment between two of its looks at the port
 
 std::string number(double value, int digits = 4) {
@@ -100,10 +98,9 @@ public:
         }
         if (samples_ < 2)
             return session_.out().line(samples_ ? "one sample, so there is no rate yet" : "no sample yet");
-        const bool shown = intervals_.mean() > kShortest;
-        session_.out().line(title + number(rate, 6) + " Hz  interval " +
-                            (shown ? spread(intervals_) : duration(1 / rate)) + "  " + std::to_string(samples_) +
-                            " samples" + (dropped_ ? ", " + std::to_string(dropped_) + " dropped" : ""));
+        session_.out().line(title + number(rate, 6) + " Hz  interval " + spread(intervals_) + "  " +
+                            std::to_string(samples_) + " samples" +
+                            (dropped_ ? ", " + std::to_string(dropped_) + " dropped" : ""));
     }
 
 private:
@@ -138,7 +135,7 @@ void showRate(Session& session) {
     bool last = false;
     const auto report = reports(session, [&] { rate.write(""); });
     followPort(
-        session, {{"buffer", kSamplesQueued}},
+        session, {{"buffer", kSamplesQueued}, {"times", true}},
         [&](const Json& message, const Json&) {
             rate.add(message);
             return true;

@@ -156,7 +156,7 @@ private:
     };
     void askMore() {
         for (; !wanted_.empty() && asked_.size() < kAskedAtOnce; wanted_.pop_front()) {
-            const Json fields = {{"port", wanted_.front()}, {"format", "cdr"}, {"buffer", buffer_}};
+            const Json fields = {{"port", wanted_.front()}, {"format", "cdr"}, {"buffer", buffer_}, {"times", true}};
             asked_[deployment_.send("watch", fields)] = wanted_.front();
         }
     }

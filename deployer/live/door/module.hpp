@@ -5,6 +5,8 @@
 #ifndef OROFORGE_LIVE_MODULE_HPP
 #define OROFORGE_LIVE_MODULE_HPP
 
+#include "../rights.hpp"
+
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -16,11 +18,6 @@ class TaskContext;
 }
 
 namespace OCL::live {
-
-/** What others may do with a deployment besides looking. */
-struct Permissions {
-    bool properties = false, operations = false, lifecycle = false;
-};
 
 /** What the server is given. It owns the descriptors, of which each may be -1. */
 struct ServerStart {
@@ -35,7 +32,7 @@ struct ServerStart {
     std::string webAddress;      ///< its address, for messages
     std::string token;           ///< what clients of it must know
     bool webIsLoopback = true;
-    Permissions webMay;
+    Rights webMay;                        ///< `stop` and `console` are not for them in any case
     std::vector<std::string> webOrigins;  ///< sites whose pages may connect: "https://view.example"
 };
 

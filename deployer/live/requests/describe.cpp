@@ -6,6 +6,7 @@
 #include "values.hpp"
 #include "verbs.hpp"
 
+#include <console/type_name.hpp>
 #include <diag/nearest_match.hpp>
 #include <rtt/internal/DataSource.hpp>
 #include <rtt/types/CompositionFactory.hpp>
@@ -57,8 +58,8 @@ json fieldsOf(const TypeInfo& type, const Source& value) {
 
 json otherNames(const TypeInfo& type) {
     std::set<std::string> names;
-    for (const std::string& name : type.getTypeNames()) names.insert(Types()->toDot(name));
-    names.erase(Types()->toDot(type.getTypeName()));
+    for (const std::string& name : type.getTypeNames()) names.insert(console::dotted(name));
+    names.erase(console::dotted(type.getTypeName()));
     return names;
 }
 
@@ -70,7 +71,7 @@ json describe(const Asked& asked) {
     if (!type)
         throw Failure(kUnknownName,
                       "there is no type '" + name + "'" + oroforge::diag::didYouMean(name, Types()->getDottedTypes()));
-    json made = {{"name", Types()->toDot(type->getTypeName())},
+    json made = {{"name", console::dotted(type->getTypeName())},
                  {"names", otherNames(*type)},
                  {"doc", type->getDescription()},
                  {"kind", "value"}};

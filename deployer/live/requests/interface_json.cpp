@@ -5,13 +5,13 @@
 #include "fields.hpp"
 
 #include <console/table.hpp>
+#include <console/type_name.hpp>
 #include <rtt/Attribute.hpp>
 #include <rtt/OperationInterfacePart.hpp>
 #include <rtt/base/OperationCallerInterface.hpp>
 #include <rtt/base/PropertyBase.hpp>
 #include <rtt/internal/calls/operation_signature.hpp>
 #include <rtt/internal/calls/standard_operations.hpp>
-#include <rtt/types/Types.hpp>
 
 #include <boost/core/demangle.hpp>
 
@@ -25,10 +25,9 @@ using nlohmann::json;
 
 constexpr std::size_t kLongestText = 4096;  // of one value among others
 
-std::string dotted(const std::string& type) { return RTT::types::Types()->toDot(type); }
-
 json argumentJson(const RTT::internal::OperationSignature::Value& argument) {
-    json made = {{"name", argument.name}, {"type", dotted(argument.plainText())}, {"doc", argument.description}};
+    json made = {
+        {"name", argument.name}, {"type", console::dotted(argument.plainText())}, {"doc", argument.description}};
     if (argument.isOutput()) made["output"] = true;
     return made;
 }
@@ -78,7 +77,7 @@ json operationJson(const RTT::OperationInterfacePart& part) {
     const auto local = part.getLocalOperation();
     const auto* const caller = dynamic_cast<const RTT::base::OperationCallerInterface*>(local.get());
     return {{"name", part.getName()},
-            {"result", dotted(signature.result.plainText())},
+            {"result", console::dotted(signature.result.plainText())},
             {"arguments", std::move(arguments)},
             {"doc", part.description()},
             {"thread", !local || (caller && caller->getThread() == RTT::OwnThread) ? "own" : "client"},

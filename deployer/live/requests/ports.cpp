@@ -4,8 +4,8 @@
 
 #include "verbs.hpp"
 
+#include <console/type_name.hpp>
 #include <rtt/base/OutputPortInterface.hpp>
-#include <rtt/types/Types.hpp>
 
 #include <utility>
 
@@ -13,9 +13,7 @@ namespace OCL::live {
 
 using RTT::base::PortInterface;
 
-std::string typeOfPort(const PortInterface& port) {
-    return RTT::types::Types()->toDot(port.getTypeInfo()->getTypeName());
-}
+std::string typeOfPort(const PortInterface& port) { return console::dotted(port.getTypeInfo()->getTypeName()); }
 
 /** The verb `ports`. */
 nlohmann::json ports(const Asked& asked) {

@@ -4,6 +4,8 @@
 #ifndef OROFORGE_LIVE_REQUESTS_HPP
 #define OROFORGE_LIVE_REQUESTS_HPP
 
+#include "../rights.hpp"
+
 #include <rtt/TaskContext.hpp>
 
 #include <nlohmann/json.hpp>
@@ -15,15 +17,6 @@
 #include <vector>
 
 namespace OCL::live {
-
-/** What a client may do besides looking. */
-struct Rights {
-    bool properties = false;  ///< set properties and attributes
-    bool operations = false;  ///< call operations
-    bool lifecycle = false;   ///< configure, start, stop … components
-    bool stop = false;        ///< end the deployment
-    bool console = false;     ///< lines of a console, which may do all of that
-};
 
 struct Caller {
     std::string name;  ///< for the log; different for each connection: "oro of user 1000, process 4711"

@@ -7,6 +7,7 @@
 #include "value_syntax.hpp"
 
 #include <console/table.hpp>
+#include <console/type_name.hpp>
 #include <console/value_table.hpp>
 #include <console/value_text.hpp>
 #include <diag/nearest_match.hpp>
@@ -147,9 +148,7 @@ void Copied::fill() {
     if (!copy_->update(original_.get())) copy_ = nullptr;
 }
 
-std::string typeOf(const Source& value) {
-    return value ? RTT::types::Types()->toDot(value->getTypeName()) : "unknown_t";
-}
+std::string typeOf(const Source& value) { return value ? console::dotted(value->getTypeName()) : "unknown_t"; }
 
 std::string textOf(const Source& value, std::size_t most) {
     return value ? cut(OCL::console::valueText(value, false), most) : "(unknown_t)";

@@ -2,7 +2,10 @@
 // Copyright Oroforge contributors
 #include "port_watch.hpp"
 
+#include "wall_time.hpp"
+
 #include <rtt/internal/flow/connection_facts.hpp>
+#include <rtt/internal/flow/storage_core.hpp>
 #include <rtt/types/TypeInfo.hpp>
 
 #include <algorithm>
@@ -88,51 +91,71 @@ std::unique_ptr<PortWatch> PortWatch::make(RTT::base::OutputPortInterface& port,
         plan = RTT::encoding::Plan::make(*type, RTT::encoding::cdrRules(), why);
     if (!json && !plan) return nullptr;
     RTT::base::DataSourceBase::shared_ptr value = type->buildValue();
-    auto* const clone =
-        dynamic_cast<RTT::base::InputPortInterface*>(static_cast<RTT::base::PortInterface*>(port.antiClone()));
-    if (!value || !clone) {
+    std::unique_ptr<RTT::base::PortInterface> clone(value ? port.antiClone() : nullptr);
+    if (!clone || !clone->asInput()) {
         why = "its type '" + type->getTypeName() + "' cannot be copied";
         return nullptr;
     }
-    std::unique_ptr<RTT::base::InputPortInterface> own(clone);
-    (void)own->setName(kName);
-    std::unique_ptr<PortWatch> watch(new PortWatch(std::move(own), std::move(value)));
+    (void)clone->setName(kName);
+    std::unique_ptr<PortWatch> watch(new PortWatch(std::move(value)));
     watch->json_ = std::move(json);
     watch->plan_ = std::move(plan);
     watch->seat_ = std::move(seat);
-    if (watch->connect(port, options.buffer)) return watch;
+    if (options.buffer == 0 && port.keepsLastWrittenValue()) {
+        watch->link_ = std::make_unique<const RTT::internal::PortLink>(port);
+        return watch;
+    }
+    watch->port_.reset(clone.release()->asInput());
+    if (watch->connect(port, options)) return watch;
     why = "it takes no further connection; the log says why";
     return nullptr;
 }
 
-bool PortWatch::connect(RTT::base::OutputPortInterface& port, unsigned buffer) {
-    if (!port.createConnection(*port_, policyFor(0))) return false;
+bool PortWatch::connect(RTT::base::OutputPortInterface& port, const Options& options) {
+    begin_ = wallTime();
+    if (!connectOnce(port, 0)) return false;
+    unsigned buffer = options.buffer;
     if (buffer == 0) return true;
     // A buffer has its samples from the beginning, so their size must be known before.
-    if (read(first_)) {
-        const auto room = static_cast<unsigned>(kMostMemory / (first_.size() + 1));
+    std::string first;
+    if (read(first)) {
+        const auto room = static_cast<unsigned>(kMostMemory / (first.size() + 1));
         buffer = std::clamp(room, 1U, buffer);  // a data connection would not count what it drops
     }
     port_->disconnect();
-    first_.clear();
-    return port.createConnection(*port_, policyFor(buffer));
+    begin_ = wallTime();
+    if (!connectOnce(port, buffer)) return false;
+    times_ = options.times && storage_ && storage_->storageCore()->store().keepTimes();
+    return true;
 }
 
-PortWatch::PortWatch(std::unique_ptr<RTT::base::InputPortInterface> port, RTT::base::DataSourceBase::shared_ptr value)
-    : port_(std::move(port)),
-      link_(*port_),
-      value_(std::move(value)),
-      address_(value_->getRawPointer()),
-      type_(value_->getTypeInfo()->getTypeName()) {}
+bool PortWatch::connectOnce(RTT::base::OutputPortInterface& port, unsigned buffer) {
+    if (!port.createConnection(*port_, policyFor(buffer))) return false;
+    // What a connection of its own kind, of a class derived from OutputPort, is made of is not known.
+    const auto storages = RTT::internal::storagesOf(*port_);
+    storage_ = storages.size() == 1 ? storages[0] : nullptr;
+    return true;
+}
+
+PortWatch::PortWatch(RTT::base::DataSourceBase::shared_ptr value)
+    : value_(std::move(value)), address_(value_->getRawPointer()), type_(value_->getTypeInfo()->getTypeName()) {}
 
 PortWatch::~PortWatch() = default;
 
+std::int64_t PortWatch::time() const {
+    if (!times_) return wallTime();
+    // Those that have no time were written before it was kept: the last one before this watch, or one as it began.
+    return written_ != 0 ? written_ : begin_;
+}
+
+bool PortWatch::take() {
+    if (link_) return link_->newest(address_, seen_);
+    if (storage_) return storage_->storageCore()->store().readTimed(address_, written_) == RTT::NewData;
+    return RTT::internal::PortLink(*port_).read(address_) == RTT::NewData;
+}
+
 bool PortWatch::read(std::string& encoded) {
-    if (!first_.empty()) {
-        encoded = std::exchange(first_, std::string());
-        return true;
-    }
-    if (link_.read(address_) != RTT::NewData) return false;
+    if (!take()) return false;
     if (json_) {
         encoded = json_->text(address_);
         return true;
@@ -144,6 +167,6 @@ bool PortWatch::read(std::string& encoded) {
     return true;
 }
 
-std::uint64_t PortWatch::dropped() { return RTT::internal::droppedSamples(*port_); }
+std::uint64_t PortWatch::dropped() const { return storage_ ? storage_->storageCore()->store().dropped() : 0; }
 
 }  // namespace OCL::live

@@ -3,6 +3,7 @@
 #include "foxglove_session.hpp"
 
 #include "../requests/failure.hpp"
+#include "../samples/wall_time.hpp"
 #include "foxglove_service.hpp"
 #include "foxglove_text.hpp"
 #include "live_client.hpp"
@@ -91,7 +92,8 @@ void FoxgloveSession::subscribe(const json& message) {
 
 void FoxgloveSession::watch(Subscription& subscription, bool again) {
     try {
-        subscription.port = client_.host().watch(subscription.path, {SampleForm::Cdr, kBuffer, client_.number()});
+        subscription.port =
+            client_.host().watch(subscription.path, {SampleForm::Cdr, kBuffer, /*times=*/false, client_.number()});
     } catch (const Failure& failure) {
         if (!again) warn(failure.what());
     }
@@ -135,7 +137,8 @@ void FoxgloveSession::readAll(std::uint32_t id, Subscription& subscription) {
     std::string value;
     for (unsigned i = 0; i != kMostAtOnce && subscription.port->read(value); ++i)
         if (!value.empty())
-            client_.queue().addSample(id, {foxgloveData(id, static_cast<std::uint64_t>(wallTime()), value), true});
+            client_.queue().addSample(
+                id, {foxgloveData(id, static_cast<std::uint64_t>(subscription.port->time()), value), true});
     // The component may come back.
     if (!isConnected) subscription.port.reset();
 }

@@ -2,8 +2,6 @@
 // Copyright Oroforge contributors
 #include "oro_messages.hpp"
 
-#include <ctime>
-
 namespace OCL::live {
 
 using nlohmann::json;
@@ -21,12 +19,6 @@ std::string oroError(const json& id, const char* code, const std::string& messag
 std::string oroSample(const json& id, std::int64_t time, const std::string& value, std::uint64_t dropped) {
     return R"({"op":"oro.sample","id":)" + textOf(id) + R"(,"time":)" + std::to_string(time) + R"(,"value":)" + value +
            R"(,"dropped":)" + std::to_string(dropped) + "}";
-}
-
-std::int64_t wallTime() {
-    timespec now{};
-    clock_gettime(CLOCK_REALTIME, &now);
-    return std::int64_t(now.tv_sec) * 1000000000 + now.tv_nsec;
 }
 
 }  // namespace OCL::live

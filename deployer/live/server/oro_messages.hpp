@@ -23,8 +23,6 @@ std::string oroAnswer(const nlohmann::json& id, nlohmann::json result);
 std::string oroError(const nlohmann::json& id, const char* code, const std::string& message);
 /** `value` is JSON text, `time` ns since 1970. */
 std::string oroSample(const nlohmann::json& id, std::int64_t time, const std::string& value, std::uint64_t dropped);
-/** ns since 1970. */
-std::int64_t wallTime();
 
 }  // namespace OCL::live
 

@@ -70,6 +70,9 @@ void OroStreams::watch(const json& message, const json& id) {
     if (isBinary && rate > 0) return fail(kMalformed, "a watch with 'rate' has the format \"json\"");
     if (!parseNumber(message, "buffer", 1, kLargestBuffer, buffer))
         return fail(kMalformed, "'buffer' is not a number of samples from 1 to 10000");
+    const json times = message.value("times", json(false));
+    if (!times.is_boolean()) return fail(kMalformed, "'times' is neither true nor false");
+    if (times == true && rate > 0) return fail(kMalformed, "a watch with 'rate' has no times of writing");
     if (watches_.size() >= kMostWatches) return fail(kTooMany, "this client watches 1024 ports already");
     if (watches_.count(textOf(id)) != 0) return fail(kMalformed, "a watch has this id already");
     made.id = id;
@@ -81,7 +84,7 @@ void OroStreams::watch(const json& message, const json& id) {
     json answer;
     try {
         const SampleForm samples = isBinary ? SampleForm::Cdr : SampleForm::Json;
-        made.port = client_.host().watch(made.path, {samples, waiting, client_.number()});
+        made.port = client_.host().watch(made.path, {samples, waiting, times == true, client_.number()});
         answer = {{"type", made.port->type()}, {"fields", fieldsOf(made.port->value())}};
         if (isBinary) {
             made.batches = std::make_unique<SampleBatches>(made.channel);
@@ -159,8 +162,8 @@ void OroStreams::onTick(std::int64_t now) {
         } else {
             client_.queue().addBehind(at->second.channel, {oroError(at->second.id, kGone,
                                                                     "port '" + at->second.path +
-                                                                        "' was destroyed or disconnected; the watch "
-                                                                        "has ended"),
+                                                                        "' was destroyed or disconnected, or keeps no "
+                                                                        "last sample any more; the watch has ended"),
                                                            false});
             at = watches_.erase(at);
             someEnded = true;
@@ -183,11 +186,11 @@ bool OroStreams::readAll(Watch& watch, std::int64_t now) {
         isNew = true;
         if (watch.period != 0) continue;
         const std::uint64_t dropped = watch.port->dropped() + client_.queue().dropped(watch.channel);
-        client_.queue().addSample(watch.channel, {oroSample(watch.id, wallTime(), value, dropped), false});
+        client_.queue().addSample(watch.channel, {oroSample(watch.id, watch.port->time(), value, dropped), false});
     }
     if (isNew && watch.period != 0) {
         const std::uint64_t dropped = client_.queue().dropped(watch.channel);
-        client_.queue().addSample(watch.channel, {oroSample(watch.id, wallTime(), value, dropped), false});
+        client_.queue().addSample(watch.channel, {oroSample(watch.id, watch.port->time(), value, dropped), false});
         watch.next = now + watch.period - std::int64_t(kWatchPeriod) * 500000;
     }
     return isConnected;

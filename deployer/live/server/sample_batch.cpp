@@ -43,7 +43,7 @@ void SampleBatches::readAll(PortWatch& port, MessageQueue& queue, unsigned most)
             add(message, stream());
         }
         add(message, static_cast<std::uint32_t>(value.size()));
-        add(message, static_cast<std::uint64_t>(wallTime()));
+        add(message, static_cast<std::uint64_t>(port.time()));
         add(message, number);
         message += value;
         if (message.size() > kFullMessage) send();

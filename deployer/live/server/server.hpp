@@ -52,7 +52,7 @@ private:
     void left(const LiveClient& client);
     LiveClient* find(std::uint64_t client);
 
-    const Permissions webMay_;
+    const Rights webMay_;
     const WebAccess web_;
     const Root root_;
     Transport transport_;

@@ -4,11 +4,11 @@
 #include "transport.hpp"
 
 #include "../door/peer.hpp"
+#include "collecting_socket.hpp"
 #include "sockets.hpp"
 
 #include <rtt/Logger.hpp>
 
-#include <boost/asio/generic/stream_protocol.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/posix/stream_descriptor.hpp>
 #include <boost/asio/post.hpp>
@@ -32,7 +32,7 @@ namespace net = boost::asio;
 namespace beast = boost::beast;
 namespace http = beast::http;
 namespace websocket = beast::websocket;
-typedef net::generic::stream_protocol::socket Socket;
+typedef CollectingSocket::next_layer_type Socket;
 typedef boost::system::error_code Error;
 
 constexpr std::size_t kMostClients = 16, kMostHandshakes = 32, kLongestMessage = 64 * 1024, kLongestHead = 8 * 1024;
@@ -91,13 +91,15 @@ private:
     bool ending_ = false;
 };
 
-class Transport::Impl::Connection final : public Link, public std::enable_shared_from_this<Connection> {
+class Transport::Impl::Connection final : public Link,
+                                          public CollectingSocket::Owner,
+                                          public std::enable_shared_from_this<Connection> {
 public:
     Connection(Impl& owner, int socket, bool isLocal)
         : isLocal(isLocal),
           owner_(owner),
           name_(isLocal ? peerOf(socket).text() : addressOf(socket)),
-          stream_(Socket(owner.context, net::generic::stream_protocol(familyOf(socket), 0), socket)),
+          stream_(*this, Socket(owner.context, net::generic::stream_protocol(familyOf(socket), 0), socket)),
           deadline_(owner.context) {
         if (!isLocal) keepAlive(socket);
     }
@@ -115,7 +117,7 @@ public:
     }
 
     void wake() override {
-        if (!client_ || isWriting_ || isClosing_) return;
+        if (!client_ || isWriting_ || isClosing_ || stream_.next_layer().isFull()) return;
         guarded([this] { isWriting_ = client_->next(frame_); });
         if (!isWriting_) return;
         stream_.binary(frame_.isBinary);
@@ -124,6 +126,7 @@ public:
             if (error) return self->cut();
             if (!self->isReading_) self->read();
             self->wake();
+            self->onWritten();
         });
     }
 
@@ -139,11 +142,19 @@ public:
         Error ignored;
         deadline_.cancel();
         client_.reset();
-        stream_.next_layer().close(ignored);
+        stream_.next_layer().next_layer().close(ignored);
         owner_.forget(this);
     }
 
 private:
+    void onWritten() override {
+        stream_.next_layer().send(isWriting_, [self = shared_from_this()](Error error) {
+            if (error) return self->cut();
+            self->wake();
+            self->onWritten();
+        });
+    }
+
     void endAfter(std::chrono::milliseconds time) {
         deadline_.expires_after(time);
         deadline_.async_wait([self = shared_from_this()](Error error) {
@@ -224,7 +235,7 @@ private:
     /** Takes what still comes, so that the answer is not destroyed by a reset. */
     void drain() {
         Error ignored;
-        stream_.next_layer().shutdown(Socket::shutdown_send, ignored);
+        stream_.next_layer().next_layer().shutdown(Socket::shutdown_send, ignored);
         endAfter(kFarewell);
         takeRest();
     }
@@ -270,7 +281,7 @@ private:
 
     Impl& owner_;
     const std::string name_;
-    websocket::stream<Socket> stream_;
+    websocket::stream<CollectingSocket> stream_;
     net::steady_timer deadline_;
     beast::flat_buffer buffer_;
     std::optional<http::request_parser<http::empty_body>> parser_;

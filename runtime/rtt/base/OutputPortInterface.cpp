@@ -66,36 +66,27 @@ WriteStatus OutputPortInterface::writeSample(const void* sample) {
     else if (has_last_.load(std::memory_order_relaxed))
         has_last_.store(false, std::memory_order_relaxed);
 
-    {
-        const Reclaimer::Guard guard;
-        const ChannelArray* channels = channels_.load(std::memory_order_acquire);
-        if (!channels) return NotConnected;
-        if (__builtin_expect(channels->size == 1, 1)) {
-            const ChannelArray::Entry& only = *channels->begin();
-            const WriteStatus status = only.write(sample);
-            if (__builtin_expect(status == WriteSuccess, 1)) return WriteSuccess;
-            if (status != NotConnected) return only.mandatory ? status : WriteSuccess;
-        }
-    }
-    return writeToAll(sample);
-}
-
-/** For several channels, or a broken one. */
-WriteStatus OutputPortInterface::writeToAll(const void* sample) {
-    WriteStatus worst = WriteSuccess;
     DeadChannels dead;
+    WriteStatus worst;
     {
         const Reclaimer::Guard guard;
         const ChannelArray* channels = channels_.load(std::memory_order_acquire);
         if (!channels) return NotConnected;
-        for (const ChannelArray::Entry& entry : *channels) {
-            const WriteStatus status = entry.write(sample);
-            if (__builtin_expect(status == WriteSuccess, 1)) continue;
-            if (status == NotConnected) dead.add(entry.channel);
-            if (entry.mandatory && status > worst) worst = status;
-        }
+        worst = writeToAll(*channels, sample, dead);
     }
     return __builtin_expect(dead.empty(), 1) ? worst : dropDead(dead, worst);
+}
+
+inline WriteStatus OutputPortInterface::writeToAll(const ChannelArray& channels, const void* sample,
+                                                   DeadChannels& dead) {
+    WriteStatus worst = WriteSuccess;
+    for (const ChannelArray::Entry& entry : channels) {
+        const WriteStatus status = entry.write(sample);
+        if (__builtin_expect(status == WriteSuccess, 1)) continue;
+        if (status == NotConnected) dead.add(entry.channel);
+        if (entry.mandatory && status > worst) worst = status;
+    }
+    return worst;
 }
 
 void OutputPortInterface::remember(const void* sample) {

@@ -9,6 +9,7 @@
 
 namespace RTT {
 namespace internal {
+struct ChannelArray;
 class SampleBox;
 class SampleStore;
 }  // namespace internal
@@ -69,7 +70,7 @@ private:
     void allocateLast();
     void remember(const void* sample);
     class DeadChannels;
-    WriteStatus writeToAll(const void* sample);
+    static WriteStatus writeToAll(const internal::ChannelArray& channels, const void* sample, DeadChannels& dead);
     WriteStatus dropDead(const DeadChannels& dead, WriteStatus worst);
 
     std::atomic<bool> keep_last_{false};

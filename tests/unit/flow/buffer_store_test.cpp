@@ -8,8 +8,11 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 using namespace RTT;
 using internal::SampleStore;
@@ -195,4 +198,32 @@ TYPED_TEST(BufferStore, GivesWhatWasReadAgainAfterACircularBufferHasOverflowed) 
     this->out = this->untouched;
     EXPECT_EQ(this->read(), OldData);
     EXPECT_EQ(this->out, this->text(4));
+}
+
+TYPED_TEST(BufferStore, KeepsTheTimesOfWritesIfAsked) {
+    const auto now = [] { return std::chrono::system_clock::now().time_since_epoch() / std::chrono::nanoseconds(1); };
+    this->make(StoreSpec::CircularBuffer, 5);
+    std::int64_t time = -1;
+    EXPECT_NE(this->store->readTimed(&this->out, time), NewData);
+    this->write(0);
+    EXPECT_EQ(TypeParam::lock == StoreSpec::LockFree, this->store->keepTimes());
+    if (TypeParam::lock != StoreSpec::LockFree) return;
+    std::vector<std::int64_t> before{0};
+    for (int i = 1; i < 50; ++i) {
+        this->write(i);
+        before.push_back(now());
+        // The first one was written before.
+        for (int left = i % 7 == 0 ? 5 : 0; left != 0; --left) {
+            const int expected = i + 1 - left;
+            ASSERT_EQ(NewData, this->store->readTimed(&this->out, time));
+            EXPECT_EQ(this->text(expected), this->out);
+            EXPECT_LE(time, before[expected]);
+            EXPECT_GE(time, before[expected - 1]);
+        }
+    }
+    this->make(StoreSpec::CircularBuffer, 2);
+    this->write(0);
+    (void)this->store->keepTimes();
+    ASSERT_EQ(NewData, this->store->readTimed(&this->out, time));
+    EXPECT_EQ(0, time);
 }

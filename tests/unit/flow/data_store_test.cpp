@@ -8,7 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <memory>
+#include <set>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -157,4 +159,20 @@ TEST(SampleStore, SurvivesASampleThatCannotBeAssigned) {
         EXPECT_EQ(store->read(&out, true), NewData);
         EXPECT_EQ(out.value, 7);
     }
+}
+
+TYPED_TEST(DataStore, NumbersItsSamples) {
+    EXPECT_EQ(0U, this->store->newest());
+    std::set<std::uint64_t> numbers;
+    for (int i = 0; i < 100; ++i) {
+        ASSERT_TRUE(this->write(1));
+        numbers.insert(this->store->newest());
+        if (i % 3 == 0) (void)this->read();
+        EXPECT_EQ(1U, numbers.count(this->store->newest())) << "reading makes no other sample";
+    }
+    const bool counts = TypeParam::lock == StoreSpec::LockFree;
+    EXPECT_EQ(counts ? 100U : 1U, numbers.size());
+    EXPECT_EQ(counts ? 0U : 1U, numbers.count(0));
+    this->store->clear();
+    EXPECT_EQ(0U, this->store->newest());
 }

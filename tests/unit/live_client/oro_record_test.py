@@ -5,6 +5,7 @@ import json
 import os
 import pathlib
 import signal
+import statistics
 import subprocess
 import sys
 import time
@@ -84,6 +85,16 @@ class Recording(OroCase):
         info = self.tool("info", "all.mcap")
         self.assertRegex(info, r"metadata +oroforge: .*command=.*-s app\.ops .*deployment=Deployer .*version=")
         self.assertIn("oroforge.lost: all=0\n", info)
+
+    def test_times_are_those_of_writing(self):
+        self.oro("call", "setActivity", "hello", "0.001", "0", "0")
+        self.ended(self.start_recording("hello", "-o", "times.mcap", "--duration", "1"))
+        times = [one["time"] * 1e9 for one in self.messages("times.mcap", "/hello/the_results")]
+        distances = [after - before for before, after in zip(times, times[1:])]
+        self.assertGreater(len(distances), 100)
+        self.assertGreaterEqual(min(distances), 0)
+        # Of those that are read together, every 10 ms, most would have none. A computer under load makes them longer.
+        self.assertTrue(2e5 < statistics.median(distances) < 5e6, statistics.median(distances))
 
     def test_what_finds_no_room_is_a_gap_and_is_counted(self):
         process = self.start_recording("hello", "-o", "gaps.mcap", "--buffer", "1", "--compression", "lz4")

@@ -17,6 +17,8 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
+#include <cstdint>
 #include <memory>
 #include <random>
 #include <thread>
@@ -122,6 +124,82 @@ TEST_F(LiveServer, ARateGivesFewerSamplesWithoutDrops) {
     EXPECT_EQ(0, last.value("dropped", -1));
     const double seconds = (last.value("time", 0.0) - first.value("time", 0.0)) / 1e9;
     EXPECT_GT(seconds, 0.15);
+}
+
+TEST_F(LiveServer, AWatchOfTheNewestSampleIsNoConnection) {
+    RTT::TaskContext quiet("Quiet");
+    RTT::OutputPort<double> keeps("keeps"), forgets("forgets", false);
+    RTT::OutputPort<std::string> text("text");
+    for (RTT::base::OutputPortInterface* port :
+         {static_cast<RTT::base::OutputPortInterface*>(&keeps), static_cast<RTT::base::OutputPortInterface*>(&forgets),
+          static_cast<RTT::base::OutputPortInterface*>(&text)})
+        quiet.addPort(*port);
+    deployer.addPeer(&quiet);
+    keeps.write(1);
+    text.write("one");
+    RawClient one = client();
+    ASSERT_TRUE(one.open());
+    const auto watch = [&](int id, const char* port) {
+        EXPECT_TRUE(one.say({{"op", "oro.watch"}, {"id", id}, {"port", port}, {"rate", 1000}}));
+        EXPECT_EQ(id, one.hear("oro.answer").value("id", 0));
+    };
+    watch(1, "Quiet.keeps");
+    EXPECT_EQ(1.0, one.hear("oro.sample")["value"]);
+    watch(2, "Quiet.text");
+    EXPECT_EQ("one", one.hear("oro.sample")["value"]);
+    watch(3, "Quiet.forgets");
+    EXPECT_EQ((std::vector<bool>{false, false, true}),
+              (std::vector<bool>{keeps.connected(), text.connected(), forgets.connected()}));
+    // A sample is new even if its value is not.
+    for (int i = 0; i != 3; ++i) {
+        keeps.write(2);
+        EXPECT_EQ(2.0, one.hear("oro.sample")["value"]);
+        text.write("two");
+        EXPECT_EQ("two", one.hear("oro.sample")["value"]);
+    }
+    forgets.write(3);
+    EXPECT_EQ(3, one.hear("oro.sample")["id"]);
+    keeps.keepLastWrittenValue(false);
+    const json ended = one.hear("oro.error");
+    EXPECT_EQ(1, ended["id"]);
+    EXPECT_EQ("LIV008", ended["code"]);
+    watch(4, "Quiet.keeps");
+    EXPECT_TRUE(keeps.connected());
+}
+
+TEST_F(LiveServer, ARecorderGetsTheTimesOfWriting) {
+    RTT::TaskContext quiet("Quiet");
+    RTT::OutputPort<double> number("number");
+    RTT::OutputPort<std::string> text("text");
+    quiet.addPort(number);
+    quiet.addPort(text);
+    deployer.addPeer(&quiet);
+    const auto now = [] {
+        return std::int64_t(std::chrono::system_clock::now().time_since_epoch() / std::chrono::nanoseconds(1));
+    };
+    number.write(-1);
+    text.write("first");
+    for (const char* port : {"Quiet.number", "Quiet.text"}) {
+        RawClient one = client();
+        ASSERT_TRUE(one.open());
+        const std::int64_t begin = now();
+        ASSERT_TRUE(one.say({{"op", "oro.watch"}, {"id", 1}, {"port", port}, {"times", true}}));
+        EXPECT_EQ(1, one.hear("oro.answer").value("id", 0));
+        // The sample from before has the time at which the watch began.
+        std::vector<std::int64_t> before{begin}, after{now()};
+        for (int i = 0; i != 50; ++i) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            before.push_back(now());
+            number.write(i);
+            text.write("number " + std::to_string(i));
+            after.push_back(now());
+        }
+        for (std::size_t i = 0; i != before.size(); ++i) {
+            const auto time = one.hear("oro.sample").value("time", std::int64_t(0));
+            EXPECT_LE(before[i], time) << port << " " << i;
+            EXPECT_GE(after[i], time) << port << " " << i;
+        }
+    }
 }
 
 TEST_F(LiveServer, AClientDoesNotLoadAPortWithWatches) {

@@ -5,6 +5,7 @@
 #include <rtt/base/InputPortInterface.hpp>
 #include <rtt/base/OutputPortInterface.hpp>
 #include <rtt/internal/flow/reclaimer.hpp>
+#include <rtt/internal/flow/sample_store.hpp>
 
 namespace RTT::internal {
 
@@ -30,6 +31,31 @@ bool PortLink::last(void* sample) const {
     const Reclaimer::Guard guard;
     auto* const port = static_cast<base::OutputPortInterface*>(endpoint_->getPort());
     return port && port->copyLastWritten(sample);
+}
+
+bool PortLink::newest(void* sample, std::uint64_t& seen) const {
+    const Reclaimer::Guard guard;
+    auto* const port = static_cast<base::OutputPortInterface*>(endpoint_->getPort());
+    const SampleStore* const store = port ? port->last_.load(std::memory_order_acquire) : nullptr;
+    if (!store) return false;
+    std::uint64_t number = store->newest();
+    if (number == seen || number == 0) return false;
+    // The number must be that of the value that was read, or the newest one would be taken for another one later.
+    constexpr int kTries = 4;  // against a port that writes all the time
+    for (int i = 0; i != kTries; ++i) {
+        if (!port->copyLastWritten(sample)) return false;
+        const std::uint64_t now = store->newest();
+        if (now == number) break;
+        number = now;
+    }
+    seen = number;
+    return true;
+}
+
+bool PortLink::keepsLast() const {
+    const Reclaimer::Guard guard;
+    const auto* const port = static_cast<base::OutputPortInterface*>(endpoint_->getPort());
+    return port && port->keepsLastWrittenValue();
 }
 
 bool PortLink::fetch(void* sample) const { return input_ ? read(sample) != NoData : last(sample); }

@@ -9,6 +9,8 @@
 #include <rtt/internal/DataSources.hpp>
 #include <rtt/internal/values/placed_data_source.hpp>
 
+#include <cstdint>
+
 namespace RTT {
 namespace internal {
 
@@ -27,6 +29,10 @@ public:
     WriteStatus write(const void* sample) const;
     /** The last value written to an output port; false if there is none, or the port is gone. */
     bool last(void* sample) const;
+    /** As last(), if that is not the value that `seen` names, which names this one afterwards; 0 names none. */
+    bool newest(void* sample, std::uint64_t& seen) const;
+    /** Of an output port; false if it is gone. */
+    bool keepsLast() const;
     /** As read() for an input port, as last() for an output port; false if there is no value. */
     bool fetch(void* sample) const;
 

@@ -16,6 +16,7 @@
 
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 
 namespace RTT {
@@ -67,6 +68,19 @@ public:
     virtual std::size_t size() const = 0;
     /** The number of samples refused or dropped because the buffer was full. */
     virtual std::size_t dropped() const { return 0; }
+
+    /** Of a LockFree data store: a number of the sample that read() gives, another one after each write. 0 if there is
+        no sample. */
+    virtual std::uint64_t newest() const { return 0; }
+
+    /** The time of each write is kept from now on, which then reads the clock: some 20 ns more. A LockFree buffer does
+        that, others give false. Not real-time safe. */
+    virtual bool keepTimes() { return false; }
+    /** Reads a new sample only. `time` is when it was written, in ns since 1970; 0 if that is not known. */
+    virtual FlowStatus readTimed(void* sample, std::int64_t& time) {
+        time = 0;
+        return read(sample, false);
+    }
 
     /** The oldest sample, unchanged until release(); null if none. At most one per thread. For StoreSpec::held. */
     virtual const void* readHeld() { return nullptr; }

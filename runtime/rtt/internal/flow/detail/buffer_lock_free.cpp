@@ -21,6 +21,7 @@
 // The slot read last stays out of the pool as `last_`, for readers of an empty buffer (OldData). Slots are counted:
 // owner 1, `last_` 1 (taken over from the reader), and each reader of an old sample 1. That reader counts first, then
 // looks whether `last_` (which has a serial number) is unchanged; only then was the slot not free when it counted.
+#include <rtt/internal/flow/detail/sample_times.hpp>
 #include <rtt/internal/flow/detail/stores.hpp>
 #include <rtt/internal/flow/sample_box.hpp>
 
@@ -83,6 +84,7 @@ public:
             if (!entered) release(slot);
         });
         assign(slot, sample, extent);
+        times_.written(slot);
         while (!(entered = enter(slot))) {
             if (!circular_) return drop();
             giveUpOldest();
@@ -92,7 +94,8 @@ public:
         return WriteSuccess;
     }
 
-    FlowStatus read(void* sample, bool copyOld) override {
+    FlowStatus read(void* sample, bool copyOld) override { return read(sample, copyOld, nullptr); }
+    FlowStatus read(void* sample, bool copyOld, std::int64_t* time) {
         for (;;) {
             const Word slot = takeOut();
             if (slot == kNoSlot) {
@@ -102,6 +105,7 @@ public:
                 continue;
             }
             AtEnd keep([&] { makeLast(slot); });
+            if (time) *time = times_.of(slot);
             assignSample(ops_, sample, samples_.sample(slot));
             return NewData;
         }
@@ -139,6 +143,12 @@ public:
         return tail > head ? std::min<std::size_t>(tail - head, capacity_) : 0;
     }
     std::size_t dropped() const override { return dropped_.load(std::memory_order_relaxed); }
+
+    bool keepTimes() override {
+        times_.begin(samples_.count());
+        return true;
+    }
+    FlowStatus readTimed(void* sample, std::int64_t& time) override { return read(sample, false, &time); }
 
 private:
     Header& header(Word slot) const { return *static_cast<Header*>(samples_.header(slot)); }
@@ -275,6 +285,7 @@ private:
     const Word room_, ringMask_;
     const std::unique_ptr<std::atomic<Word>[]> ring_;
     SampleArray samples_;
+    SampleTimes times_;
     alignas(64) std::atomic<Word> tail_{0};
     std::atomic<std::size_t> hint_{0};
     std::atomic<std::size_t> dropped_{0};

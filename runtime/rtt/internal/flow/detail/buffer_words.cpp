@@ -34,6 +34,7 @@
 // whenever the buffer is empty, the sample before head_ was read, not dropped.
 // A turn is a position modulo 2^40: only a thread that sleeps for exactly that many is fooled.
 #include <rtt/internal/flow/detail/home_thread.hpp>
+#include <rtt/internal/flow/detail/sample_times.hpp>
 #include <rtt/internal/flow/detail/sample_words.hpp>
 #include <rtt/internal/flow/detail/stores.hpp>
 
@@ -83,7 +84,7 @@ public:
           stride_(sizeof(Slot) + (words_ - 1) * sizeof(AtomicWord)),
           ring_(new std::atomic<Word>[ringMask_ + 1]),
           spares_(new std::atomic<Word>[spareCount_]),
-          block_(new unsigned char[stride_ * (ringMask_ + 1 + spareCount_ + 1)]) {
+          block_(new unsigned char[stride_ * slotCount()]) {
         Word slot = 0;
         for (Word i = 0; i <= ringMask_; ++i)
             ring_[i].store(pack(i - (ringMask_ + 1), make(slot++)), std::memory_order_relaxed);
@@ -102,15 +103,18 @@ public:
         return status;
     }
 
-    FlowStatus read(void* sample, bool copyOld) override {
+    FlowStatus read(void* sample, bool copyOld) override { return read(sample, copyOld, nullptr); }
+    FlowStatus read(void* sample, bool copyOld, std::int64_t* time) {
         WordsCopy<> copy;
         for (;;) {
             Word h = head_.load(std::memory_order_acquire);                          // R1
             const Word word = ring_[h & ringMask_].load(std::memory_order_acquire);  // R2
             if (hasTurn(word, h)) {
                 loadWords(copy, at(slotOf(word)).words, words_);  // R3
-                if (!takeOut(h)) continue;                        // R4
+                const std::int64_t written = time ? times_.of(slotOf(word)) : 0;
+                if (!takeOut(h)) continue;  // R4
                 copyOut(sample, copy, ops_.size);
+                if (time) *time = written;
                 return NewData;
             }
             if (!hasTurn(word, h - (ringMask_ + 1))) continue;  // head_ has moved on since R1
@@ -173,6 +177,12 @@ public:
     }
     std::size_t dropped() const override { return dropped_.load(std::memory_order_relaxed); }
 
+    bool keepTimes() override {
+        times_.begin(slotCount());
+        return true;
+    }
+    FlowStatus readTimed(void* sample, std::int64_t& time) override { return read(sample, false, &time); }
+
 private:
     Slot& at(Word slot) const { return *reinterpret_cast<Slot*>(block_.get() + slot * stride_); }
     Word make(Word slot) {
@@ -207,6 +217,7 @@ private:
     WriteStatus write(Word& slot, Word& head, const void* sample) {
         if (capacity_ == 0 || (!circular_ && full(head))) return drop();
         storeWords(at(slot).words, sample, ops_.size);  // W1
+        times_.written(slot);
         return enter(slot, head) ? WriteSuccess : drop();
     }
     /** True only if it was full at one moment: head_ was the same before and after reading tail_, which is never too
@@ -261,6 +272,7 @@ private:
     }
 
     void resizeElements(const void*, bool) override {}  // plain samples all have one size
+    std::size_t slotCount() const { return ringMask_ + 1 + spareCount_ + 1; }
 
     const std::size_t capacity_;
     const bool circular_, oldData_;
@@ -269,6 +281,7 @@ private:
     const std::size_t spareCount_, stride_;
     const std::unique_ptr<std::atomic<Word>[]> ring_, spares_;
     const std::unique_ptr<unsigned char[]> block_;
+    SampleTimes times_;
     // Writers change these, readers those below: each group has a cache line of its own.
     alignas(64) std::atomic<Word> tail_{0};
     HomeThread home_;

@@ -38,6 +38,7 @@ constexpr std::size_t kNone = ~std::size_t(0);
 
 struct Header {
     std::atomic<State> state{0};
+    std::atomic<std::uint32_t> turn{0};  // of its samples; only the owner changes it
     std::atomic<std::size_t> extent{0};  // the largest so far; only the owner changes it
 };
 
@@ -56,6 +57,8 @@ public:
         AtEnd giveBack([&] {
             if (!assigned) unhold(i);
         });
+        // Release: a thread that finds this turn also finds that another slot was current before.
+        header(i).turn.store(header(i).turn.load(std::memory_order_relaxed) + 1, std::memory_order_release);
         assign(i, sample, extent);
         assigned = true;
         publish(i);
@@ -79,6 +82,15 @@ public:
     std::size_t size() const override {
         const std::size_t c = current_.load(std::memory_order_acquire);
         return c != kNone && (state(c).load(std::memory_order_acquire) & kUnread) ? 1 : 0;
+    }
+    std::uint64_t newest() const override {
+        for (;;) {
+            const std::size_t c = current_.load(std::memory_order_acquire);
+            if (c == kNone) return 0;
+            // A turn of a sample that is not published yet is found only while another slot is current.
+            const std::uint64_t turn = header(c).turn.load(std::memory_order_acquire);
+            if (c == current_.load(std::memory_order_acquire)) return turn << 32U | (c + 1);
+        }
     }
 
 private:

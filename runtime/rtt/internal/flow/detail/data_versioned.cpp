@@ -118,6 +118,10 @@ public:
         const Word current = current_.load(std::memory_order_acquire);
         return current != kNone && current != read_.load(std::memory_order_acquire) ? 1 : 0;
     }
+    std::uint64_t newest() const override {
+        const Word current = current_.load(std::memory_order_acquire);
+        return current == kNone ? 0 : current;  // versions begin at 1
+    }
 
 private:
     std::size_t bytes() const { return kSize == 0 ? ops_.size : kSize; }
