@@ -12,6 +12,7 @@ add_library(orocos-rtcheck SHARED
   rt_check/lookups.c
   rt_check/memory.c
   rt_check/next.c
+  rt_check/outside.c
   rt_check/raw_calls.c
   rt_check/streams.c
   rt_check/symbols.cpp
