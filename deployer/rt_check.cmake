@@ -12,6 +12,7 @@ add_library(orocos-rtcheck SHARED
   rt_check/lookups.c
   rt_check/memory.c
   rt_check/next.c
+  rt_check/outside.c
   rt_check/raw_calls.c
   rt_check/streams.c
   rt_check/symbols.cpp
@@ -28,6 +29,8 @@ set_target_properties(orocos-rtcheck PROPERTIES
   LINK_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/rt_check/exports.map)
 # Nobody links it, nor imports it: its folder is that of no package. The programs look for it from the runtime's library.
 install(TARGETS orocos-rtcheck LIBRARY DESTINATION lib/oroforge COMPONENT runtime)
-foreach(program deployer rttscript)
-  add_dependencies(${program} orocos-rtcheck)
+foreach(program deployer rttscript rttlua)
+  if(TARGET ${program})
+    add_dependencies(${program} orocos-rtcheck)
+  endif()
 endforeach()

@@ -68,8 +68,8 @@ const struct {
     {"tolerate", Takes::Nothing,
      "replay messages whose type has other fields now: what was not recorded keeps its default"},
     {"replay-check", Takes::Nothing,
-     "tell at the end which components use the wall clock, sleep or have threads of their own, so that a replay is not "
-     "exact; then the exit status is 255"},
+     "tell at the end which components use the wall clock, random numbers or devices, sleep or have threads of their "
+     "own, so that a replay is not exact; then the exit status is 255"},
     {"log4cpp-config", Takes::Word,
      "configure log4cpp by this property file before anything is deployed: levels of categories, and appenders of "
      "log4cpp"},

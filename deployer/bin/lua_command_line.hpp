@@ -16,10 +16,10 @@ struct LuaCommandLine {
         std::string text;  ///< Lua code, or the name of a module
     };
 
-    std::vector<std::string> words;  ///< all, with the program
-    std::vector<Step> steps;         ///< in the order in which they are to be done
-    std::size_t script = 0;          ///< which of the words; 0 if there is none
-    std::vector<std::string> live;   ///< options of the live window
+    std::vector<std::string> words;   ///< all, with the program
+    std::vector<Step> steps;          ///< in the order in which they are to be done
+    std::size_t script = 0;           ///< which of the words; 0 if there is none
+    std::vector<std::string> shared;  ///< options that the deployer has, too: of the live window and of replays
     bool version = false;
     bool interactive = false;
     std::string error;  ///< why it is not valid; empty if it is

@@ -5,6 +5,9 @@
 #include "crash_report.hpp"
 #include "live_window.hpp"
 #include "lua_session.hpp"
+#include "program_report.hpp"
+#include "real_time_check.hpp"
+#include "replay.hpp"
 
 #include <rtt/Logger.hpp>
 #include <rtt/os/SignalCatcher.hpp>
@@ -59,10 +62,10 @@ std::unique_ptr<DeploymentComponent> makeDeployer(const LuaProgram& program, Wor
     return made;
 }
 
-/** The options of the live window. False, with the reason, if they are wrong. */
-bool liveOptions(LuaCommandLine& line, const LuaProgram& program, Options& options) {
+/** The options that the deployer has, too. False, with the reason, if they are wrong. */
+bool sharedOptions(LuaCommandLine& line, const LuaProgram& program, Options& options) {
     std::vector<std::string> given{program.name};
-    given.insert(given.end(), line.live.begin(), line.live.end());
+    given.insert(given.end(), line.shared.begin(), line.shared.end());
     std::vector<char*> words;
     for (std::string& word : given) words.push_back(word.data());
     words.push_back(nullptr);
@@ -72,10 +75,13 @@ bool liveOptions(LuaCommandLine& line, const LuaProgram& program, Options& optio
     return good;
 }
 
-int interpret(const LuaCommandLine& line, const LuaProgram& program, const Options& options, Words& words) {
+int interpret(const LuaCommandLine& line, const LuaProgram& program, const Options& options, Words& words,
+              ProgramReport& report) {
     // Catches signals from now on, so that one during start-up ends the program in order, too.
     std::optional<RTT::os::SignalCatcher> ending;
     ending.emplace(std::initializer_list<int>{SIGINT, SIGTERM, SIGHUP});
+    std::unique_ptr<Replay> replay;
+    if (!options.replayFile.empty() && !(replay = Replay::open(options, report))) return kFailure;
     LiveWindow listening(options);
     if (listening.failed()) return kFailure;
     const AtEnd atEnd{program.end};
@@ -87,13 +93,16 @@ int interpret(const LuaCommandLine& line, const LuaProgram& program, const Optio
     {
         const LiveWindow::Opened live(listening, *deployer);
         if (live) status = runLuaSession(line, program.name, *owner.state, ending->descriptor());
+        if (status == 0 && replay && !replay->run(*deployer, *ending)) status = kFailure;
     }
     ending.reset();  // so that the next signal ends a shutdown that hangs
     deployer->shutdownDeployment();
     return status;
 }
 
-int runWithRuntime(const LuaCommandLine& line, const LuaProgram& program, const Options& options, Words& words) {
+int runWithRuntime(const LuaCommandLine& line, const LuaProgram& program, const Options& options, Words& words,
+                   ProgramReport& report) {
+    if (!options.replayFile.empty()) standStill();
     if (__os_init(static_cast<int>(words.runtime.size()) - 1, words.runtime.data()) != 0) {
         std::cerr << program.name << ": the runtime does not start\n";
         return kFailure;
@@ -102,7 +111,7 @@ int runWithRuntime(const LuaCommandLine& line, const LuaProgram& program, const 
     const RTT::Logger::In in(program.name);
     int status = kFailure;
     try {
-        status = interpret(line, program, options, words);
+        status = interpret(line, program, options, words, report);
     } catch (const std::exception& thrown) {
         RTT::log(RTT::Critical) << "uncaught exception: " << thrown.what() << RTT::endlog();
     }
@@ -118,9 +127,20 @@ int runLuaProgram(int argc, char** argv, const LuaProgram& program) {
     Words words(argc, argv, program.makeServer != nullptr);
     LuaCommandLine line = parseLuaCommandLine(words.lua);
     Options options;
-    if (line.error.empty() && liveOptions(line, program, options)) return runWithRuntime(line, program, options, words);
-    std::cerr << program.name << ": " << line.error << '\n' << luaUsage(program.name);
-    return kFailure;
+    if (!line.error.empty() || !sharedOptions(line, program, options)) {
+        std::cerr << program.name << ": " << line.error << '\n' << luaUsage(program.name);
+        return kFailure;
+    }
+    ProgramReport report(program.name, oroforge::report::Format::Text);
+    if (options.replayCheck) {
+        const std::string error = startRealTimeCheck(argv, CheckedFor::Replay);
+        if (!error.empty()) {
+            report.error("", error);
+            return kFailure;
+        }
+    }
+    const int status = runWithRuntime(line, program, options, words, report);
+    return options.replayCheck && !reportRealTimeCheck(report) ? kFailure : status;
 }
 
 }  // namespace OCL::deploy

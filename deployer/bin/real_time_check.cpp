@@ -149,6 +149,8 @@ struct Fault {
 Fault describeForReplay(oroforge_rt_fault fault) {
     if (fault == OROFORGE_RT_CLOCK) return {"RPL008", "reads a clock of the computer"};
     if (fault == OROFORGE_RT_THREAD) return {"RPL010", "begins a thread"};
+    if (fault == OROFORGE_RT_RANDOM) return {"RPL016", "takes random numbers"};
+    if (fault == OROFORGE_RT_DEVICE) return {"RPL017", "opens a device"};
     return {"RPL009", "waits"};
 }
 
@@ -162,6 +164,8 @@ Fault describe(oroforge_rt_fault fault) {
         case OROFORGE_RT_THREAD:
         case OROFORGE_RT_SYSTEM_CALL: return {"RTC005", "makes a system call that may block"};
         case OROFORGE_RT_CLOCK:
+        case OROFORGE_RT_RANDOM:
+        case OROFORGE_RT_DEVICE:
         case OROFORGE_RT_STREAM: break;
     }
     return {"RTC006", "uses a stream of the C library"};
@@ -255,7 +259,8 @@ std::string startRealTimeCheck(char** words, CheckedFor what) {
                "' before the program, as it refuses for programs with capabilities or another user's rights; run "
                "without these, as root, or with a limit for real-time priorities instead";
     if (what == CheckedFor::Replay)
-        countOnly(1U << OROFORGE_RT_WAIT | 1U << OROFORGE_RT_CLOCK | 1U << OROFORGE_RT_THREAD);
+        countOnly(1U << OROFORGE_RT_WAIT | 1U << OROFORGE_RT_CLOCK | 1U << OROFORGE_RT_THREAD |
+                  1U << OROFORGE_RT_RANDOM | 1U << OROFORGE_RT_DEVICE);
     RTT::internal::ScriptPlace::wantExact();
     describeScripts(&RTT::internal::ScriptPlace::describe);
     HookInProgress::setWatch(&kWatch);

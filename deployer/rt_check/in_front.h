@@ -22,6 +22,9 @@ static inline int oroforge_rt_watching(void) { return oroforge_rt_watched != 0 &
 
 /* Counts a call, which returns to `caller`. Keeps errno. */
 void oroforge_rt_note(enum oroforge_rt_fault fault, const char* function, const void* caller);
+/* For a function that opens this file: counts devices, if the thread is watched. */
+void oroforge_rt_note_path(const char* path, const char* function, const void* caller);
+#define OROFORGE_NOTE_PATH(PATH, NAME) (oroforge_rt_note_path(PATH, NAME, __builtin_return_address(0)), 1)
 /* Resolves the frames of all findings, before a library with some of them is unloaded. */
 void oroforge_rt_resolve(void);
 /* Must be called after a library was closed, because it may have been unloaded. */

@@ -22,7 +22,9 @@ enum oroforge_rt_fault {
     OROFORGE_RT_SYSTEM_CALL = 5,
     OROFORGE_RT_STREAM = 6,
     OROFORGE_RT_THREAD = 7, /* a system call that may block, too */
-    OROFORGE_RT_CLOCK = 8
+    OROFORGE_RT_CLOCK = 8,
+    OROFORGE_RT_RANDOM = 9,
+    OROFORGE_RT_DEVICE = 10
 };
 
 /* The kinds of user code that a component's thread executes. */
@@ -58,7 +60,8 @@ void oroforge_rt_check_scripts(oroforge_rt_script describe);
 void oroforge_rt_check_begin(const char* component, enum oroforge_rt_place place, int real_time);
 void oroforge_rt_check_end(void);
 
-/* From now on only these faults are counted: bits, 1 << OROFORGE_RT_LOCK and so on. At first, all but the clock. */
+/* From now on only these faults are counted: bits, 1 << OROFORGE_RT_LOCK and so on. At first, those of a real-time
+   component. */
 void oroforge_rt_check_only(unsigned faults);
 
 struct oroforge_rt_totals {

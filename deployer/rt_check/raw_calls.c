@@ -64,6 +64,8 @@ OROFORGE_IN_FRONT long syscall(long number, ...) {
             oroforge_rt_note(OROFORGE_RT_SYSTEM_CALL, "syscall", caller);
         else if (number == SYS_mmap || number == SYS_mremap || number == SYS_brk)
             oroforge_rt_note(OROFORGE_RT_ALLOCATION, "syscall", caller);
+        else if (number == SYS_getrandom)
+            oroforge_rt_note(OROFORGE_RT_RANDOM, "syscall", caller);
     }
     return OROFORGE_NEXT_OF(syscall, 0)(number, a[0], a[1], a[2], a[3], a[4], a[5]);
 }

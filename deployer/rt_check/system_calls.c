@@ -183,10 +183,10 @@ WATCH_FD(ssize_t, __pread64_chk, (int fd, void* to, size_t size, off64_t at, siz
 WATCH_SOCKET(__recv_chk, (int s, void* to, size_t size, size_t room, int flags), (s, to, size, room, flags))
 WATCH_SOCKET(__recvfrom_chk, (int s, void* to, size_t size, size_t room, int flags, Address a, socklen_t* n), (s, to, size, room, flags, a, n))
 OROFORGE_WATCH(SYSTEM_CALL, char*, __realpath_chk, (const char* path, char* to, size_t room), (path, to, room))
-OROFORGE_WATCH(SYSTEM_CALL, int, __open_2, (const char* path, int flags), (path, flags))
-OROFORGE_WATCH(SYSTEM_CALL, int, __open64_2, (const char* path, int flags), (path, flags))
-OROFORGE_WATCH(SYSTEM_CALL, int, __openat_2, (int at, const char* path, int flags), (at, path, flags))
-OROFORGE_WATCH(SYSTEM_CALL, int, __openat64_2, (int at, const char* path, int flags), (at, path, flags))
+OROFORGE_WATCH_IF(SYSTEM_CALL, int, __open_2, (const char* path, int flags), (path, flags), OROFORGE_NOTE_PATH(path, "__open_2"))
+OROFORGE_WATCH_IF(SYSTEM_CALL, int, __open64_2, (const char* path, int flags), (path, flags), OROFORGE_NOTE_PATH(path, "__open64_2"))
+OROFORGE_WATCH_IF(SYSTEM_CALL, int, __openat_2, (int at, const char* path, int flags), (at, path, flags), OROFORGE_NOTE_PATH(path, "__openat_2"))
+OROFORGE_WATCH_IF(SYSTEM_CALL, int, __openat64_2, (int at, const char* path, int flags), (at, path, flags), OROFORGE_NOTE_PATH(path, "__openat64_2"))
 /* clang-format on */
 
 OROFORGE_IN_FRONT void sync(void) {
@@ -207,6 +207,7 @@ OROFORGE_IN_FRONT void sync(void) {
 #define OPEN(NAME)                                                       \
     OROFORGE_IN_FRONT int NAME(const char* path, int flags, ...) {       \
         MODE_AFTER(flags)                                                \
+        if (oroforge_rt_watching()) (void)OROFORGE_NOTE_PATH(path, #NAME); \
         OROFORGE_COUNT(SYSTEM_CALL, #NAME);                              \
         const int result = OROFORGE_NEXT_OF(NAME, 0)(path, flags, mode); \
         OROFORGE_COUNTED();                                              \
@@ -215,6 +216,7 @@ OROFORGE_IN_FRONT void sync(void) {
 #define OPEN_AT(NAME)                                                        \
     OROFORGE_IN_FRONT int NAME(int at, const char* path, int flags, ...) {   \
         MODE_AFTER(flags)                                                    \
+        if (oroforge_rt_watching()) (void)OROFORGE_NOTE_PATH(path, #NAME);   \
         OROFORGE_COUNT(SYSTEM_CALL, #NAME);                                  \
         const int result = OROFORGE_NEXT_OF(NAME, 0)(at, path, flags, mode); \
         OROFORGE_COUNTED();                                                  \

@@ -45,7 +45,7 @@ __thread Hooks hooks __attribute__((tls_model("initial-exec")));
 
 std::atomic<unsigned long> executions[OROFORGE_RT_PLACES];
 std::atomic<unsigned long> callsLost{0};
-std::atomic<unsigned> counted{~(1U << OROFORGE_RT_CLOCK)};
+std::atomic<unsigned> counted{(1U << OROFORGE_RT_CLOCK) - 1};
 std::atomic<oroforge_rt_script> scripts{nullptr};
 
 // The first call of backtrace() loads a library.

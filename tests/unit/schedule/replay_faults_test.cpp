@@ -156,6 +156,19 @@ TEST_F(ReplayFaults, WhatIsNotTheSameInEachReplayIsReportedIfAsked) {
     EXPECT_THAT(outcome.err, HasSubstr("control.cpp:"));
 }
 
+TEST_F(ReplayFaults, RandomNumbersAndDevicesAreReportedIfAsked) {
+    directory_.write("app.xml", deployment(component("gambler", "replaytest::Gambler")));
+    const Outcome outcome = replay({"--replay-check", "-s", "app.xml"});
+    EXPECT_EQ(outcome.status, 255);
+    for (const char* function : {"rand", "std::random_device", "getrandom", "fopen(64)?"})
+        EXPECT_THAT(outcome.err, ContainsRegex("\\[RPL016\\] component 'gambler' takes random numbers in "
+                                               "updateHook\\(\\): " +
+                                               std::string(function) + "\\(\\), 1 time\n"));
+    EXPECT_THAT(outcome.err,
+                HasSubstr("[RPL017] component 'gambler' opens a device in configureHook(): open(), 1 time"));
+    EXPECT_THAT(outcome.err, HasSubstr("--replay-check: 5 findings in "));  // not rand_r(), std::mt19937, /dev/null
+}
+
 TEST_F(ReplayFaults, WhatIsTheSameInEachReplayIsNotReported) {
     const Outcome outcome = replay({"--replay-check", "--record", "one.mcap", "-s", "app.xml"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;

@@ -207,6 +207,46 @@ TEST_F(ReplayProgram, ScriptsFindWhatIsReplaced) {
     EXPECT_THAT(bytes("one.mcap"), HasSubstr("/viewer/seen"));
 }
 
+#ifdef RTTLUA_PROGRAM
+TEST_F(ReplayProgram, LuaScriptsDeployWhatIsReplayed) {
+    directory_.write("app.lua",
+                     "local d = rtt.getTC():getPeer('Deployer')\n"
+                     "d:import('ocl') d:import('poses') d:import('control')\n"
+                     "d:loadComponent('viewer', 'replaytest::Viewer')\n"
+                     "d:loadComponent('camera', 'replaytest::Camera')\n"
+                     "local policy = rtt.Variable.new('ConnPolicy')\n"
+                     "assert(d:connect('camera.image', 'viewer.image', policy))\n"
+                     "local viewer = d:getPeer('viewer')\n"
+                     "assert(viewer:start())\n"
+                     "print('deployed', ...)\n");
+    const auto replayed = [this](std::vector<std::string> words) {
+        words.insert(words.begin(), {"--replay", "run.mcap"});
+        Command lua = command(words);
+        lua.program = RTTLUA_PROGRAM;
+        return run(lua);
+    };
+    for (const char* file : {"one.mcap", "two.mcap"}) {
+        const Outcome outcome = replayed({"--record", file, "app.lua", "--replay", "is for the script"});
+        EXPECT_EQ(outcome.status, 0) << outcome.err << log();
+        EXPECT_THAT(outcome.out, ContainsRegex("^deployed\t--replay\tis for the script\nreplayed run.mcap: "));
+        EXPECT_THAT(log(), HasSubstr("component 'camera' is not created: the recording has its ports"));
+    }
+    EXPECT_THAT(bytes("one.mcap"), HasSubstr("/viewer/seen"));
+    EXPECT_TRUE(bytes("one.mcap") == bytes("two.mcap"));
+
+    EXPECT_THAT(replayed({"--replace=cmera", "app.lua"}).err, HasSubstr("[RPL012] the recording has no component"));
+    EXPECT_THAT(replayed({"--record"}).err, HasSubstr("rttlua: option '--record' takes a word"));
+    const Outcome fails = replayed({"-e", "error('not deployed')"});
+    EXPECT_EQ(fails.status, 1);
+    EXPECT_THAT(fails.out, Not(HasSubstr("replayed")));
+#ifdef HAS_RT_CHECK
+    const Outcome checked = replayed({"--replay-check", "app.lua"});
+    EXPECT_EQ(checked.status, 0) << checked.err;
+    EXPECT_THAT(checked.err, HasSubstr("--replay-check: 0 findings in "));
+#endif
+}
+#endif
+
 TEST_F(ReplayProgram, WhatIsReplacedMayBeNamed) {
     const char* const packages[] = {"recorded", "runs", "types"};
     const std::vector<std::string> all(std::begin(packages), std::end(packages));

@@ -11,8 +11,15 @@
 
 #include <atomic>
 #include <chrono>
+#include <cstdlib>
+#include <fstream>
 #include <iostream>
+#include <random>
 #include <thread>
+
+#include <fcntl.h>
+#include <sys/random.h>
+#include <unistd.h>
 
 namespace replaytest {
 
@@ -92,6 +99,31 @@ private:
     std::atomic<long long> last_{0};
 };
 
+/** Takes random numbers and opens devices. */
+class Gambler : public RTT::TaskContext {
+public:
+    explicit Gambler(const std::string& name) : RTT::TaskContext(name) {}
+    ~Gambler() override { stopForGood(); }
+
+private:
+    bool configureHook() override {
+        for (const char* file : {"/dev/null", "/dev/ptmx"})
+            if (const int opened = open(file, O_RDONLY | O_NOCTTY); opened >= 0) (void)close(opened);
+        return true;
+    }
+    void updateHook() override {
+        unsigned state = 1;
+        sum_ += rand_r(&state) + rand();
+        std::random_device device;
+        sum_ += device();
+        (void)getrandom(&state, sizeof state, 0);
+        std::ifstream("/dev/urandom") >> state;
+        std::mt19937 own(1);
+        sum_ += own();
+    }
+    double sum_ = 0;
+};
+
 /** Is triggered by a thread of its own. */
 class Messenger : public RTT::TaskContext {
 public:
@@ -147,3 +179,4 @@ ORO_LIST_COMPONENT_TYPE(replaytest::Worldly)
 ORO_LIST_COMPONENT_TYPE(replaytest::Messenger)
 ORO_LIST_COMPONENT_TYPE(replaytest::Patient)
 ORO_LIST_COMPONENT_TYPE(replaytest::Loner)
+ORO_LIST_COMPONENT_TYPE(replaytest::Gambler)
