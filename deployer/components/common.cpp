@@ -25,4 +25,5 @@ ORO_LIST_COMPONENT_TYPE(FBSched)
 namespace {
 // Applications use this name, though no class of this library has it.
 const RTT::ComponentFactoryLoader<OCL::EmptyTaskContext> registeredTaskContext("TaskContext");
+ORO_COMPONENT_NAME_IN_FILE_(TaskContext)  // so that it is found without loading all
 }  // namespace

@@ -100,17 +100,30 @@ std::vector<std::string> resolveTypes(Plan& plan, diag::Sink& sink) {
     return reported;
 }
 
-PlanContext surroundingsOf(const Session& session) {
+/** What libraries tell of the types of a plan. False if a type is unknown, or its library cannot be loaded. */
+bool addTypes(const Plan& plan, PlanContext& context) {
+    bool all = true;
+    for (const ComponentPlan& component : plan.components) {
+        const std::string& type = component.type.value;
+        const auto create = ComponentLoader::Instance()->factoryOf(type);
+        all = all && create;
+        if (!create) continue;
+        context.componentTypes.push_back(type);
+        const auto* described = ComponentDescriptions::find(type, reinterpret_cast<const void*>(create));
+        if (described) context.descriptions.emplace(type, described);
+    }
+    return all;
+}
+
+PlanContext surroundingsOf(const Session& session, const Plan& plan) {
     PlanContext result;
     result.deployer = session.deployer->getName();
     result.components = session.deployer->getPeerList();
     for (const Connection& connection : session.records.connections()) result.connections.insert(connection.name);
     for (const Plan& plan : session.planned) result.planned.push_back(&plan);
-    for (const auto& [type, create] : ComponentLoader::Instance()->getFactories()) {
-        result.componentTypes.push_back(type);
-        const auto* described = ComponentDescriptions::find(type, reinterpret_cast<const void*>(create));
-        if (described) result.descriptions.emplace(type, described);
-    }
+    // Not the names of all, which would load libraries that nobody needs, unless users get proposals.
+    if (!addTypes(plan, result)) result.componentTypes = ComponentLoader::Instance()->listComponentTypes();
+    for (const Plan& earlier : session.planned) (void)addTypes(earlier, result);
     result.services = PluginLoader::Instance()->listServices();
     result.propertyFiles = session.propertyFiles;
     result.serves = session.serve != nullptr;
@@ -201,7 +214,7 @@ bool prepare(const Session& session, Plan& plan, bool planOnly, diag::Sink& sink
     doImports(plan, sink);
     replaceRecorded(session, plan, sink);
     const std::vector<std::string> reported = resolveTypes(plan, sink);
-    PlanContext around = surroundingsOf(session);
+    PlanContext around = surroundingsOf(session, plan);
     around.planOnly = planOnly;
     around.luaFault = [&session](const std::string& file) { return luaFault(*session.deployer, file); };
     around.componentTypes.insert(around.componentTypes.end(), reported.begin(), reported.end());

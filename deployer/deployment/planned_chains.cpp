@@ -112,11 +112,10 @@ private:
 
     /** 1 for an output, -1 for an input, 0 if no library describes the port. */
     static int direction(const ComponentPlan& component, const PortPlan& port) {
-        const auto factories = RTT::ComponentLoader::Instance()->getFactories();
-        const auto factory = factories.find(component.type.value);
-        if (factory == factories.end()) return 0;
+        const auto create = RTT::ComponentLoader::Instance()->factoryOf(component.type.value);
+        if (!create) return 0;
         const ComponentDescription* const described =
-            ComponentDescriptions::find(component.type.value, reinterpret_cast<const void*>(factory->second));
+            ComponentDescriptions::find(component.type.value, reinterpret_cast<const void*>(create));
         if (!described) return 0;
         for (const auto& one : described->ports)
             if (one.name == port.port.value) return one.output ? 1 : -1;

@@ -28,11 +28,8 @@ public:
 };
 
 const ComponentDescription* descriptionOf(const std::string& type) {
-    const auto factories = RTT::ComponentLoader::Instance()->getFactories();
-    const auto known = factories.find(type);
-    return known == factories.end()
-               ? nullptr
-               : RTT::internal::ComponentDescriptions::find(type, reinterpret_cast<const void*>(known->second));
+    const auto create = RTT::ComponentLoader::Instance()->factoryOf(type);
+    return create ? RTT::internal::ComponentDescriptions::find(type, reinterpret_cast<const void*>(create)) : nullptr;
 }
 
 bool isRecorder(const std::string& type) { return type == "OCL::McapReporting"; }
@@ -51,7 +48,7 @@ bool isUnclear(const ComponentPlan& component) {
            !present->isWanted(component.name.value);
 }
 
-bool isKnown(const std::string& type) { return RTT::ComponentLoader::Instance()->getFactories().count(type) != 0; }
+bool isKnown(const std::string& type) { return RTT::ComponentLoader::Instance()->factoryOf(type) != nullptr; }
 
 bool hasInput(const RTT::Service& service) {
     auto& inside = const_cast<RTT::Service&>(service);  // it only has functions that are not const

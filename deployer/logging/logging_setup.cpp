@@ -8,6 +8,7 @@
 #include <ocl/Appender.hpp>
 #include <rtt/Logger.hpp>
 #include <rtt/Property.hpp>
+#include <rtt/internal/flow/buffer_parts.hpp>
 #include <rtt/os/oro_malloc.h>
 #include <rtt/os/tlsf/tlsf.h>
 
@@ -24,7 +25,7 @@ using RTT::log;
 
 constexpr int kMostEvents = 1000000;
 constexpr int kMostCharacters = 1000000;
-constexpr int kWriters = 16;  // threads that are inside log() of one category at once
+constexpr int kWriters = RTT::internal::kThreadsOfParts;  // inside log() of one category at once
 
 /** The value of an entry of a bag. Logs an error and returns null if it has another type. */
 template <class T>
@@ -126,7 +127,7 @@ bool LoggingService::Impl::hasMemory(const std::string& category) const {
     oro_rt_free(oro_rt_malloc(1));  // the first call makes the pool
     constexpr std::size_t kBlock = 32;
     const std::size_t event = static_cast<std::size_t>(messageSize) + category.size() + 2 * kBlock;
-    const std::size_t needed = event * static_cast<std::size_t>(bufferSize + 2 + kWriters);
+    const std::size_t needed = event * RTT::internal::bufferElements(static_cast<std::size_t>(bufferSize), kWriters);
     const std::size_t free = get_pool_size_mp() - get_used_size_mp();
     if (needed <= free) return true;
     log(RTT::Error) << "no real-time memory for the events of " << described(category) << ": " << bufferSize

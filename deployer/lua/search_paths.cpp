@@ -2,7 +2,9 @@
 // Copyright Oroforge contributors
 #include "search_paths.hpp"
 
-#include <dlfcn.h>
+#include <rtt/plugin/search_path.hpp>
+#include <rtt/plugin/shared_library.hpp>
+
 #include <string>
 #include <sys/stat.h>
 
@@ -17,9 +19,9 @@ bool isFile(const std::string& path) {
 
 /** The folder of the modules, which is a fixed number of levels above this library; empty if there is none. */
 std::string modules() {
-    Dl_info self;
-    if (dladdr(reinterpret_cast<const void*>(&setSearchPaths), &self) == 0 || !self.dli_fname) return "";
-    std::string folder = self.dli_fname;
+    // The linker names it by the way on which it was found, such as `ocl/plugins/../`.
+    std::string folder = RTT::plugin::canonicalPath(
+        RTT::plugin::SharedLibrary::fileWith(reinterpret_cast<const void*>(&setSearchPaths)));
     for (int levels = 0; levels != 6; ++levels) {
         const std::string::size_type slash = folder.find_last_of('/');
         if (slash == std::string::npos) break;

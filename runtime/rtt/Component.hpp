@@ -94,8 +94,21 @@ private:
 #define ORO_COMPONENT_CONCAT2_(a, b) a##b
 #define ORO_COMPONENT_CONCAT_(a, b) ORO_COMPONENT_CONCAT2_(a, b)
 
+#ifdef ORO_COMPONENT_LIBRARY_
+/** Writes the name of a type into a section of the library's file, where the loader finds it without opening the
+    library. */
+#define ORO_COMPONENT_NAME_IN_FILE_(...)                                              \
+    namespace {                                                                       \
+    __attribute__((section("orocos_types"), used))                                    \
+    const char ORO_COMPONENT_CONCAT_(oroComponentType, __COUNTER__)[] = #__VA_ARGS__; \
+    }
+#else
+#define ORO_COMPONENT_NAME_IN_FILE_(...)
+#endif
+
 /** Registers one component type of a library or program that has several. */
 #define ORO_LIST_COMPONENT_TYPE(...)                                                                 \
+    ORO_COMPONENT_NAME_IN_FILE_(__VA_ARGS__)                                                         \
     namespace {                                                                                      \
     const RTT::ComponentFactoryLoader<__VA_ARGS__> ORO_COMPONENT_CONCAT_(oroListedComponent,         \
                                                                          __COUNTER__)(#__VA_ARGS__); \
@@ -105,6 +118,7 @@ private:
 
 /** Makes the library one with exactly this component type. Use it once per library. */
 #define ORO_CREATE_COMPONENT(...)                                                                                      \
+    ORO_COMPONENT_NAME_IN_FILE_(__VA_ARGS__)                                                                           \
     ORO_PLUGIN_C_LINKAGE_BEGIN_                                                                                        \
     RTT_EXPORT RTT::TaskContext* createComponent(std::string instance_name);                                           \
     RTT_EXPORT RTT::TaskContext* createComponent(std::string instance_name) { return new __VA_ARGS__(instance_name); } \

@@ -32,6 +32,7 @@ foreach(source
     internal/flow/connection_stream.cpp
     internal/flow/sample_type_name.cpp
     internal/flow/detail/buffer_lock_free.cpp
+    internal/flow/detail/buffer_parted.cpp
     internal/flow/detail/buffer_plain.cpp
     internal/flow/detail/buffer_words.cpp
     internal/flow/detail/data_counted.cpp

@@ -7,6 +7,8 @@ target_sources(orocos-rtt PRIVATE
   rtt/deployment/deployed_texts.cpp
   rtt/deployment/detail/component_library.cpp
   rtt/deployment/detail/component_table.cpp
+  rtt/deployment/detail/deferred_libraries.cpp
+  rtt/deployment/detail/listed_types.cpp
   rtt/deployment/detail/package_import.cpp
   rtt/deployment/ros_packages.cpp
   rtt/deployment/startup.cpp

@@ -193,11 +193,7 @@ bool ComponentLoader::unloadComponent(TaskContext* tc) {
 bool ComponentLoader::isImported(const std::string& type_name) const { return impl_->table.isImported(type_name); }
 std::vector<std::string> ComponentLoader::listComponents() const { return impl_->table.components(); }
 
-std::vector<std::string> ComponentLoader::listComponentTypes() const {
-    std::vector<std::string> names;
-    for (const auto& type : impl_->table.factories()) names.push_back(type.first);
-    return names;
-}
+std::vector<std::string> ComponentLoader::listComponentTypes() const { return impl_->table.typeNames(); }
 
 std::vector<std::string> ComponentLoader::listComponentTypes(const std::string& library) const {
     return impl_->table.typesOf(library);
@@ -214,6 +210,11 @@ void ComponentLoader::setComponentPath(const std::string& newpath) {
 }
 
 const FactoryMap& ComponentLoader::getFactories() const { return impl_->table.keptFactories(); }
+
+ComponentLoaderSignature ComponentLoader::factoryOf(const std::string& type_name) const {
+    const Logger::In in("ComponentLoader");
+    return impl_->table.factoryOf(type_name);
+}
 
 void ComponentLoader::addFactory(const std::string& type_name, ComponentLoaderSignature factory) {
     impl_->table.addFactory(type_name, factory);

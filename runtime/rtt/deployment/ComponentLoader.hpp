@@ -64,7 +64,10 @@ public:
 
     /**
      * Imports a package that nobody asked for by name: from the search path, not from the current directory. On failure
-     * returns false with the reasons in `error`.
+     * returns false with the reasons in `error`. Its typekits and plugins are loaded now. A component library that has
+     * the names of its types in its file, as the macros write them, is loaded when one of the types is needed; what
+     * keeps it from being loaded is the reason why the component cannot be created. import() of the package loads all
+     * of it.
      */
     bool importInstalled(const std::string& package, std::string& error);
 
@@ -121,6 +124,9 @@ public:
     /** The types that can be created now and their functions, by name; the program's included. Valid as long as the
         loader. */
     const FactoryMap& getFactories() const;
+    /** The function of one type, null if it cannot be created. Of libraries that wait to be loaded, only that of the
+        type is loaded. */
+    ComponentLoaderSignature factoryOf(const std::string& type_name) const;
     /** Registers a type, or replaces one of the same name. */
     void addFactory(const std::string& type_name, ComponentLoaderSignature factory);
 

@@ -6,6 +6,8 @@
 #include <rtt/Logger.hpp>
 #include <rtt/base/InputPortInterface.hpp>
 #include <rtt/base/OutputPortInterface.hpp>
+#include <rtt/internal/flow/buffer_parts.hpp>
+#include <rtt/internal/flow/detail/stores.hpp>
 
 namespace RTT::internal {
 
@@ -79,7 +81,11 @@ std::unique_ptr<SampleStore> ConnFactory::makeStore(const types::TypeOps& ops, C
     spec.size = policy.type == ConnPolicy::DATA ? 1 : static_cast<std::size_t>(policy.size);
     spec.maxThreads = static_cast<std::size_t>(policy.max_threads);
     spec.oldData = policy.buffer_policy != PerOutputPort && policy.buffer_policy != Shared;
-    std::unique_ptr<SampleStore> store = SampleStore::make(ops, spec, first);
+    const bool inParts = policy.max_threads >= kThreadsOfParts && policy.buffer_policy == PerConnection &&
+                         spec.kind == StoreSpec::Buffer && spec.lock == StoreSpec::LockFree &&
+                         !detail::fitsWordBuffer(ops, spec) && (first || ops.construct);
+    std::unique_ptr<SampleStore> store =
+        inParts ? detail::makePartedBuffer(ops, spec, first) : SampleStore::make(ops, spec, first);
     if (!store)
         log(Error) << "no storage for a connection: its type has no default value, or its size is too large"
                    << endlog();

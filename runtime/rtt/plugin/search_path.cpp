@@ -2,9 +2,8 @@
 // Copyright Oroforge contributors
 #include "search_path.hpp"
 
+#include <rtt/plugin/shared_library.hpp>
 #include <rtt/rtt-config.h>
-
-#include <dlfcn.h>
 
 #include <algorithm>
 #include <cctype>
@@ -45,9 +44,8 @@ std::string defaultSearchPath() {
     std::string list;
     if (const char* environment = std::getenv("RTT_COMPONENT_PATH")) list = environment;
     // Looked up at run time, so that an installation can be moved.
-    Dl_info self;
-    if (dladdr(reinterpret_cast<const void*>(&defaultSearchPath), &self) && self.dli_fname)
-        list += ":" + parentPath(canonicalPath(self.dli_fname)) + "/orocos";
+    const std::string self = SharedLibrary::fileWith(reinterpret_cast<const void*>(&defaultSearchPath));
+    if (!self.empty()) list += ":" + parentPath(canonicalPath(self)) + "/orocos";
     std::string clean;
     for (const std::string& path : splitPathList(list)) clean += (clean.empty() ? "" : ":") + path;
     return clean;

@@ -20,6 +20,13 @@ FactoryMap functionsOf(const ComponentTypes& types) {
     return functions;
 }
 
+template <class Types>
+std::vector<std::string> namesIn(const Types& types) {
+    std::vector<std::string> names;
+    for (const auto& type : types) names.push_back(type.first);
+    return names;
+}
+
 }  // namespace
 
 ComponentTable::~ComponentTable() {
@@ -60,13 +67,82 @@ ComponentTable::LoadResult ComponentTable::loadLibrary(const std::string& file) 
         result.noComponents = state == LibraryState::NoComponents;
         return result;
     }
+    // The first library with a type has it, also if it only waits.
+    (void)loadDeferredWith(namesIn(library.types), path);
     const std::lock_guard<std::mutex> lock(mutex_);
+    deferred_.remove(path);
     // Another thread may have loaded the same file meanwhile. The linker counts references, so this one may be dropped.
     if (std::none_of(libraries_.begin(), libraries_.end(), isSame)) {
         registerTypes(library);
         libraries_.push_back(std::move(library));
     }
     return {};
+}
+
+void ComponentTable::defer(const std::string& file, std::vector<std::string> types) {
+    const std::string path = canonicalPath(file);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (std::any_of(libraries_.begin(), libraries_.end(),
+                    [&](const ComponentLibrary& known) { return known.path == path; }))
+        return;
+    log(Info) << "component types of " << path << ", which is loaded when one is needed:";
+    for (const std::string& type : types) log() << " '" << type << "'";
+    log() << endlog();
+    deferred_.add(path, std::move(types));
+}
+
+std::string ComponentTable::loadDeferred(const std::string& path) {
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        if (!deferred_.has(path)) return {};
+    }
+    const std::string error = loadLibrary(path).error;
+    if (error.empty()) return {};
+    log(Info) << "could not load component library '" << path << "': " << error << endlog();
+    const std::lock_guard<std::mutex> lock(mutex_);
+    deferred_.markFailed(path);
+    return path + ": " + error;
+}
+
+std::string ComponentTable::loadDeferredWith(const std::vector<std::string>& types, const std::string& before) {
+    std::vector<std::string> paths;
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        paths = deferred_.with(types, before);
+    }
+    std::string errors;
+    for (const std::string& path : paths)
+        if (const std::string error = loadDeferred(path); !error.empty())
+            errors += (errors.empty() ? "" : "; ") + error;
+    return errors;
+}
+
+std::vector<std::string> ComponentTable::loadDeferredOf(const std::string& package) {
+    std::vector<std::string> paths, errors;
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        for (const Package& known : packages_)
+            if (known.name == package) paths = known.libraries;
+    }
+    for (const std::string& path : paths)
+        if (std::string error = loadDeferred(path); !error.empty()) errors.push_back(std::move(error));
+    return errors;
+}
+
+std::string ComponentTable::loadDeferredFor(const std::string& type) {
+    const std::string problem = loadDeferredWith({type});
+    if (problem.empty() && !isImported(type)) loadAllDeferred();  // one may have types that it does not list
+    return problem;
+}
+
+void ComponentTable::loadAllDeferred() {
+    DeferredLibraries waiting;
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        waiting = deferred_;
+    }
+    for (const DeferredLibraries::Library& library : waiting.all())
+        if (!library.failed) (void)loadDeferred(library.path);
 }
 
 void ComponentTable::loadLinked() {
@@ -95,6 +171,7 @@ std::string ComponentTable::close(const std::string& path) {
     ComponentLibrary closing;
     {
         const std::lock_guard<std::mutex> lock(mutex_);
+        if (deferred_.remove(path)) return {};
         const auto known = std::find_if(libraries_.begin(), libraries_.end(),
                                         [&](const ComponentLibrary& library) { return library.path == path; });
         if (known == libraries_.end()) return "it is not loaded";
@@ -154,8 +231,9 @@ void ComponentTable::addPackage(const std::string& name, const std::vector<std::
 
 bool ComponentTable::isImported(const std::string& name) const {
     const std::lock_guard<std::mutex> lock(mutex_);
-    return findType(name).create || std::any_of(packages_.begin(), packages_.end(),
-                                                [&](const Package& package) { return package.name == name; });
+    return findType(name).create || deferred_.hasType(name) ||
+           std::any_of(packages_.begin(), packages_.end(),
+                       [&](const Package& package) { return package.name == name; });
 }
 
 ComponentType ComponentTable::findType(const std::string& type) const {
@@ -173,20 +251,29 @@ ComponentTypes ComponentTable::allTypes() const {
     return all;
 }
 
-FactoryMap ComponentTable::factories() const {
+std::vector<std::string> ComponentTable::typeNames() {
+    loadAllDeferred();
     const std::lock_guard<std::mutex> lock(mutex_);
-    return functionsOf(allTypes());
+    return namesIn(allTypes());
+}
+
+ComponentLoaderSignature ComponentTable::factoryOf(const std::string& type) {
+    (void)loadDeferredFor(type);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return findType(type).create;
 }
 
 const FactoryMap& ComponentTable::keptFactories() {
+    loadAllDeferred();
     const std::lock_guard<std::mutex> lock(mutex_);
     FactoryMap now = functionsOf(allTypes());
     if (kept_.empty() || *kept_.back() != now) kept_.push_back(std::make_unique<const FactoryMap>(std::move(now)));
     return *kept_.back();
 }
 
-std::vector<std::string> ComponentTable::typesOf(const std::string& library) const {
+std::vector<std::string> ComponentTable::typesOf(const std::string& library) {
     const std::string path = canonicalPath(library);
+    (void)loadDeferred(path);
     std::vector<std::string> names;
     const std::lock_guard<std::mutex> lock(mutex_);
     for (const auto& [name, type] : types_)
@@ -203,12 +290,15 @@ std::vector<std::string> ComponentTable::components() const {
 }
 
 ComponentLoaderSignature ComponentTable::reserve(const std::string& name, const std::string& type, std::string& error) {
+    const std::string problem = loadDeferredFor(type);
     const std::lock_guard<std::mutex> lock(mutex_);
     const ComponentType known = findType(type);
+    if (!known.create && !problem.empty()) {
+        error = "the library of component type '" + type + "' cannot be loaded: " + problem;
+        return nullptr;
+    }
     if (!known.create) {
-        std::vector<std::string> names;
-        for (const auto& candidate : allTypes()) names.push_back(candidate.first);
-        const std::string proposal = oroforge::diag::didYouMeanType(type, names);
+        const std::string proposal = oroforge::diag::didYouMeanType(type, namesIn(allTypes()));
         error = "unknown component type '" + type + "'" +
                 (proposal.empty() ? "; import the package that has it first" : proposal);
         return nullptr;

@@ -5,6 +5,7 @@
 #define OROFORGE_COMPONENT_TABLE_HPP
 
 #include "component_library.hpp"
+#include "deferred_libraries.hpp"
 #include "registered_types.hpp"
 
 #include <memory>
@@ -27,6 +28,10 @@ public:
     ~ComponentTable();
 
     LoadResult loadLibrary(const std::string& file);
+    /** Loads the library when one of these types, or all that there is, is asked for. */
+    void defer(const std::string& file, std::vector<std::string> types);
+    /** Loads those libraries of the package that wait; "file: reason" for each that cannot be loaded. */
+    std::vector<std::string> loadDeferredOf(const std::string& package);
     /** Registers the types of component libraries that the program is linked with. */
     void loadLinked();
     /** Empty on success, else the reason. */
@@ -37,12 +42,15 @@ public:
     void addPackage(const std::string& name, const std::vector<std::string>& libraries);
 
     bool isImported(const std::string& name) const;
-    FactoryMap factories() const;
-    /** As factories(), but valid as long as this table. */
+    /** The names of all types, sorted. Loads libraries that wait. */
+    std::vector<std::string> typeNames();
+    /** The function that creates the type; null if it is unknown or its library cannot be loaded. */
+    ComponentLoaderSignature factoryOf(const std::string& type);
+    /** All types. Loads libraries that wait. Valid as long as this table. */
     const FactoryMap& keptFactories();
     std::vector<std::string> components() const;
-    /** The types that come from this library file. */
-    std::vector<std::string> typesOf(const std::string& library) const;
+    /** The types that come from this library file. Loads it if it waits. */
+    std::vector<std::string> typesOf(const std::string& library);
 
     /** Reserves the name and returns the function that creates the type; null with the reason if either is
         unavailable. */
@@ -69,6 +77,14 @@ private:
     class Busy;
 
     std::string close(const std::string& path);
+    /** Loads a library that waits; the reason if that fails. */
+    std::string loadDeferred(const std::string& path);
+    /** Loads those that wait and have one of the types, up to the library `before`; the reason if one cannot be
+        loaded. */
+    std::string loadDeferredWith(const std::vector<std::string>& types, const std::string& before = std::string());
+    /** Loads what may have the type; the reason if that fails. */
+    std::string loadDeferredFor(const std::string& type);
+    void loadAllDeferred();
     void forgetPackagesWith(const std::string& path);
     // These are called with the lock held.
     void registerTypes(ComponentLibrary& library);
@@ -81,6 +97,7 @@ private:
     mutable std::mutex mutex_;
     ComponentTypes types_;
     std::vector<ComponentLibrary> libraries_;
+    DeferredLibraries deferred_;
     std::vector<Package> packages_;
     std::vector<Component> components_;
     std::multiset<std::string> busy_;  // canonical paths of libraries that are being opened or closed

@@ -2,6 +2,8 @@
 // Copyright Oroforge contributors
 #include "package_import.hpp"
 
+#include "listed_types.hpp"
+
 #include <diag/nearest_match.hpp>
 #include <rtt/Logger.hpp>
 #include <rtt/deployment/ros_packages.hpp>
@@ -12,6 +14,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <set>
+#include <utility>
 
 namespace RTT::plugin {
 namespace {
@@ -91,6 +94,7 @@ void PackageImport::package(const std::string& name, const std::string& pathList
         return;
     }
     if (table_.isImported(name)) {
+        if (!loadAllOf(name)) return;
         log(Info) << "component package '" << name << "' is already imported" << endlog();
         PluginLoader::Instance()->importAgain(name);
         return;
@@ -103,7 +107,15 @@ void PackageImport::package(const std::string& name, const std::string& pathList
 }
 
 void PackageImport::installed(const std::string& name, const std::string& pathList) {
+    mayDefer_ = true;
     if (!table_.isImported(name)) fromSearchPath(name, splitPathList(pathList), false);
+}
+
+bool PackageImport::loadAllOf(const std::string& package) {
+    const std::vector<std::string> errors = table_.loadDeferredOf(package);
+    errors_.insert(errors_.end(), errors.begin(), errors.end());
+    broken_ |= !errors.empty();
+    return errors.empty();
 }
 
 void PackageImport::directories(const std::vector<std::string>& directories) {
@@ -158,6 +170,7 @@ bool PackageImport::fromRos(const std::string& name, std::string& problem) {
     for (const RosPackage& package : needed) {
         // Packages on which it depends may have no components, and the package itself may only name others.
         if (table_.isImported(package.name)) {
+            (void)loadAllOf(package.name);
             found = true;
             continue;
         }
@@ -183,7 +196,10 @@ void PackageImport::ros(const std::string& name, const std::string& pathList) {
     std::set<std::string> seen = {"rtt_ros"};
     const auto bring = [&](const auto& self, const std::string& one, const std::string& by) -> void {
         if (!seen.insert(one).second) return;
-        if (table_.isImported(one)) return PluginLoader::Instance()->importAgain(one);
+        if (table_.isImported(one)) {
+            if (loadAllOf(one)) PluginLoader::Instance()->importAgain(one);
+            return;
+        }
         const RosPackage* const package = packages.find(one);
         std::vector<std::string> paths = splitPathList(pathList);
         if (package) {
@@ -221,10 +237,22 @@ void PackageImport::importAll(const std::string& what, const std::vector<std::st
         errors_.push_back("no components, typekits or plugins in " + text + others_);
 }
 
+bool PackageImport::defer(const std::string& file) {
+    std::vector<std::string> types = listedTypes(file);
+    if (types.empty()) return false;
+    table_.defer(file, std::move(types));
+    libraries_.push_back(canonicalPath(file));
+    return true;
+}
+
 bool PackageImport::importDirectory(const std::string& directory) {
     log(Info) << "importing directory " << directory << endlog();
     bool found = false;
     for (const std::string& file : librariesIn(directory)) {
+        if (mayDefer_ && defer(file)) {
+            found = true;
+            continue;
+        }
         const ComponentTable::LoadResult result = table_.loadLibrary(file);
         if (result.error.empty()) {
             found = true;

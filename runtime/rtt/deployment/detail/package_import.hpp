@@ -21,7 +21,8 @@ public:
     void package(const std::string& name, const std::string& pathList);
     /** Imports a ROS package after those that its package.xml names as `plugin_depend`, each once. */
     void ros(const std::string& name, const std::string& pathList);
-    /** Imports a package on the search path, but not from the current folder, unless imported already. */
+    /** Imports a package on the search path, but not from the current folder, unless imported already. Component
+        libraries that list their types in their file wait until one is needed. */
     void installed(const std::string& name, const std::string& pathList);
     /** Imports each directory and its target sub-directory. */
     void directories(const std::vector<std::string>& directories);
@@ -39,12 +40,17 @@ private:
     bool fromRos(const std::string& name, std::string& problem);
     void importAll(const std::string& what, const std::vector<std::string>& directories);
     bool importDirectory(const std::string& directory);
+    /** False if the file does not list its types, so that only loading it tells them. */
+    bool defer(const std::string& file);
+    /** Loads the libraries of an imported package that wait. */
+    bool loadAllOf(const std::string& package);
 
     ComponentTable& table_;
     std::vector<std::string> errors_;
     std::vector<std::string> libraries_;  // component libraries that are loaded now
     std::string others_;                  // libraries without components, and why
     bool broken_ = false;
+    bool mayDefer_ = false;
 };
 
 }  // namespace RTT::plugin

@@ -21,6 +21,7 @@
 // The slot read last stays out of the pool as `last_`, for readers of an empty buffer (OldData). Slots are counted:
 // owner 1, `last_` 1 (taken over from the reader), and each reader of an old sample 1. That reader counts first, then
 // looks whether `last_` (which has a serial number) is unchanged; only then was the slot not free when it counted.
+#include <rtt/internal/flow/detail/buffer_part.hpp>
 #include <rtt/internal/flow/detail/sample_times.hpp>
 #include <rtt/internal/flow/detail/stores.hpp>
 #include <rtt/internal/flow/sample_box.hpp>
@@ -51,16 +52,17 @@ std::size_t powerOfTwo(std::size_t atLeast) {
     return n;
 }
 
-class LockFreeBuffer final : public SampleStore {
+class LockFreeBuffer final : public BufferPart {
     typedef std::atomic<std::uint32_t> Count;
     struct Header {
         Count count{0};
         std::atomic<std::size_t> extent{0};  // the largest so far; only the owner changes it
+        std::atomic<Stamp> stamp{0};
     };
 
 public:
     LockFreeBuffer(const types::TypeOps& ops, const StoreSpec& spec, const void* first)
-        : SampleStore(ops),
+        : BufferPart(ops),
           capacity_(spec.size),
           circular_(spec.kind == StoreSpec::CircularBuffer),
           oldData_(spec.oldData),
@@ -74,25 +76,64 @@ public:
             ring_[i].store(pack(i - (ringMask_ + 1), kNoSlot), std::memory_order_relaxed);
     }
 
-    WriteStatus write(const void* sample) override {
-        if (capacity_ == 0 || (!circular_ && full())) return drop();
+    WriteStatus write(const void* sample) override { return tryWrite(sample, 0) ? WriteSuccess : drop(); }
+
+    bool tryWrite(const void* sample, Stamp stamp) override {
+        if (capacity_ == 0 || (!circular_ && full())) return false;
         const std::size_t extent = extentOf(sample);
         const Word slot = claim(extent);
-        if (slot == kNoSlot) return drop();
+        if (slot == kNoSlot) return false;
         bool entered = false;
         AtEnd giveBack([&] {
             if (!entered) release(slot);
         });
         assign(slot, sample, extent);
+        header(slot).stamp.store(stamp, std::memory_order_release);
         times_.written(slot);
         while (!(entered = enter(slot))) {
-            if (!circular_) return drop();
+            if (!circular_) return false;
             giveUpOldest();
         }
         if (circular_) giveUpOldest();
         keepSized(sample, extent);
-        return WriteSuccess;
+        return true;
     }
+
+    bool oldest(Oldest& found) const override {
+        for (;;) {
+            const Word h = head_.load(std::memory_order_acquire);
+            const Word word = wordAt(h);
+            found.position = h;
+            if (hasTurn(word, h)) {
+                found.stamp = header(slotOf(word)).stamp.load(std::memory_order_acquire);
+                // Otherwise the slot may be in use again, and the stamp another sample's.
+                if (head_.load(std::memory_order_acquire) == h) return true;
+            } else if (hasTurn(word, h - (ringMask_ + 1))) {
+                return false;
+            }
+        }
+    }
+    bool takeOldest(const Oldest& known, void* sample) override {
+        const Word word = wordAt(known.position);
+        if (!hasTurn(word, known.position) || !moveHead(known.position)) return false;
+        AtEnd keep([&] { makeLast(slotOf(word)); });
+        assignSample(ops_, sample, samples_.sample(slotOf(word)));
+        return true;
+    }
+    std::uint64_t takenOut() const override { return head_.load(std::memory_order_acquire); }
+    /** head_ was the same before and after reading tail_. */
+    bool full() const override {
+        Word head = head_.load(std::memory_order_acquire);
+        for (;;) {
+            const Word tail = tail_.load(std::memory_order_acquire);
+            if (tail < head + capacity_) return false;
+            const Word again = head_.load(std::memory_order_acquire);
+            if (again == head) return true;
+            head = again;
+        }
+    }
+    std::uint64_t entered() const override { return tail_.load(std::memory_order_relaxed); }
+    int readOld(void* sample, bool copyOld) override { return readLast(sample, copyOld); }
 
     FlowStatus read(void* sample, bool copyOld) override { return read(sample, copyOld, nullptr); }
     FlowStatus read(void* sample, bool copyOld, std::int64_t* time) {
@@ -162,18 +203,6 @@ private:
         dropped_.fetch_add(1, std::memory_order_relaxed);
         return WriteFailure;
     }
-    /** True only if it was full at one moment: head_ was the same before and after reading tail_. */
-    bool full() const {
-        Word head = head_.load(std::memory_order_acquire);
-        for (;;) {
-            const Word tail = tail_.load(std::memory_order_acquire);
-            if (tail < head + capacity_) return false;
-            const Word again = head_.load(std::memory_order_acquire);
-            if (again == head) return true;
-            head = again;
-        }
-    }
-
     /** Tries slots that are large enough first, then any. */
     Word claim(std::size_t extent) {
         const Word freed = freed_.load(std::memory_order_relaxed);
@@ -300,6 +329,10 @@ private:
 StorePtr makeLockFreeBuffer(const types::TypeOps& ops, const StoreSpec& spec, const void* first) {
     if (spec.size > kMaxCapacity) return nullptr;
     return StorePtr(new LockFreeBuffer(ops, spec, first));
+}
+
+std::unique_ptr<BufferPart> makeBufferPart(const types::TypeOps& ops, const StoreSpec& spec, const void* first) {
+    return std::unique_ptr<BufferPart>(new LockFreeBuffer(ops, spec, first));
 }
 
 }  // namespace RTT::internal::detail

@@ -31,6 +31,8 @@ StorePtr makeWordBuffer(const types::TypeOps& ops, const StoreSpec& spec);
 bool fitsWordBuffer(const types::TypeOps& ops, const StoreSpec& spec);
 /** LockFree, other samples. */
 StorePtr makeLockFreeBuffer(const types::TypeOps& ops, const StoreSpec& spec, const void* first);
+/** LockFree and not circular, other samples, many writers: with a part for each processor, see buffer_parted.cpp. */
+StorePtr makePartedBuffer(const types::TypeOps& ops, const StoreSpec& spec, const void* first);
 /** Locked or Unsync, as makePlainData(). */
 StorePtr makePlainBuffer(const types::TypeOps& ops, const StoreSpec& spec, const void* first);
 
