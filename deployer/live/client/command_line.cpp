@@ -134,7 +134,7 @@ CommandLine readCommandLine(const std::vector<std::string>& words) {
     std::deque<Parsed> all;
     for (const Command& command : commands()) addCommand(app, command, all.emplace_back(), values);
     std::vector<std::string> reversed;  // as CLI11 wants them
-    for (const std::string& word : words) reversed.push_back(isValue(word) ? kMark + word : word);
+    for (const std::string& word : words) reversed.push_back(isValue(word) || word[0] == kMark ? kMark + word : word);
     std::reverse(reversed.begin(), reversed.end());
     try {
         app.parse(reversed);

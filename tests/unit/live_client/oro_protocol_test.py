@@ -205,6 +205,8 @@ class Protocol(OroCase):
         self.oro("set", "a.b", "[1, 2]")
         self.oro("call", "a.b", "-1", "[1, 2]", "text", '"5"', "--timeout", "3")
         self.assertEqual(["-0.5", "[1, 2]"], [r["text"] for r in fake.requests[:2]])
+        self.oro("set", "a.b", "\x01x")
+        self.assertEqual("\x01x", fake.requests.pop()["text"])
         self.assertEqual(["-1", "[1, 2]", "text", "5"], fake.requests[2]["arguments"])
 
 
