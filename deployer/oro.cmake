@@ -36,6 +36,7 @@ add_library(oroforge_live_client STATIC
   live/client/rate_commands.cpp
   live/client/requests.cpp
   live/client/session.cpp
+  live/client/short_path.cpp
   live/client/show_command.cpp
   live/client/state_text.cpp
   live/client/statistics.cpp

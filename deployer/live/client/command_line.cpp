@@ -107,6 +107,18 @@ std::vector<std::string> commandNames() {
     throw Failure(Status::Usage, text + hint);
 }
 
+/** As that of a variable of a shell that is not set: `oro stop "$ARM"` must not be `oro stop`. Values may be empty. */
+void refuseEmpty(const Given& given) {
+    if (!given.command || given.command->program) return;
+    const auto& arguments = given.command->arguments;
+    for (std::size_t i = 0; i != std::min(arguments.size(), given.words.size()); ++i)
+        if (arguments[i].names != Names::None && given.words[i].empty())
+            throw Failure(Status::Usage, std::string(arguments[i].name) + " is an empty text; 'oro " +
+                                             given.command->name + " --help' explains it");
+    for (const auto& [key, text] : given.options)
+        if (text.empty()) throw Failure(Status::Usage, "the value of --" + key + " is an empty text");
+}
+
 }  // namespace
 
 CommandLine readCommandLine(const std::vector<std::string>& words) {
@@ -122,7 +134,7 @@ CommandLine readCommandLine(const std::vector<std::string>& words) {
     std::deque<Parsed> all;
     for (const Command& command : commands()) addCommand(app, command, all.emplace_back(), values);
     std::vector<std::string> reversed;  // as CLI11 wants them
-    for (const std::string& word : words) reversed.push_back(isValue(word) ? kMark + word : word);
+    for (const std::string& word : words) reversed.push_back(isValue(word) || word[0] == kMark ? kMark + word : word);
     std::reverse(reversed.begin(), reversed.end());
     try {
         app.parse(reversed);
@@ -144,6 +156,7 @@ CommandLine readCommandLine(const std::vector<std::string>& words) {
     }
     for (const Value& value : values)
         if (value.option->count() > 0) line.given.options[value.key] = value.flag ? "true" : unmarked(value.text);
+    refuseEmpty(line.given);
     if (!line.given.command) throw Failure(Status::Usage, "no command was given; 'oro --help' lists the commands");
     return line;
 }

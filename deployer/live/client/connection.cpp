@@ -3,6 +3,7 @@
 #include "connection.hpp"
 
 #include "failure.hpp"
+#include "short_path.hpp"
 
 #include <boost/asio/connect.hpp>
 #include <boost/asio/io_context.hpp>
@@ -221,9 +222,10 @@ private:
 
 std::unique_ptr<Connection> Connection::toSocket(const std::string& path, Deadline deadline) {
     auto stream = std::make_unique<Stream<asio::local::stream_protocol::socket>>("'" + path + "'");
+    const ShortPath fits(path);
     std::optional<asio::local::stream_protocol::endpoint> end;
     try {
-        end.emplace(path);
+        end.emplace(fits.text());
     } catch (const boost::system::system_error&) {
         throw Failure(Status::Usage, "the path '" + path + "' is too long for a socket");
     }

@@ -3,6 +3,7 @@
 #include "discovery.hpp"
 
 #include "failure.hpp"
+#include "short_path.hpp"
 
 #include <diag/nearest_match.hpp>
 
@@ -46,16 +47,26 @@ std::vector<std::string> filesOf(const std::string& folder) {
 
 /** Whether nobody listens at the socket. */
 bool refusesConnections(const std::string& path) {
+    const ShortPath fits(path);
     sockaddr_un address = {};
-    if (path.size() >= sizeof address.sun_path) return false;
+    if (fits.text().size() >= sizeof address.sun_path) return false;
     address.sun_family = AF_UNIX;
-    std::memcpy(address.sun_path, path.c_str(), path.size() + 1);
+    std::memcpy(address.sun_path, fits.text().c_str(), fits.text().size() + 1);
     const int probe = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
     if (probe < 0) return false;
     const bool refused =
         connect(probe, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 && errno == ECONNREFUSED;
     close(probe);
     return refused;
+}
+
+/** As in proc(5): 'R', 'S', 'T' …; 0 if that cannot be found out. */
+char stateOf(pid_t pid) {
+    std::ifstream in("/proc/" + std::to_string(pid) + "/stat");
+    std::string text;
+    std::getline(in, text);
+    const std::size_t name = text.rfind(')');  // the name of the process may have parentheses
+    return name != std::string::npos && name + 2 < text.size() ? text[name + 2] : '\0';
 }
 
 /** "'arm' (pid 12), 'base' (pid 13)". */
@@ -128,6 +139,12 @@ Deployment chosenDeployment(const std::string& wanted) {
     std::copy_if(all.begin(), all.end(), std::back_inserter(matching), [&](const Deployment& one) {
         return wanted.empty() || one.name == wanted || std::to_string(one.pid) == wanted;
     });
+    // The number of a process that was killed may be that of another one now, as in a container that is started again.
+    if (matching.size() > 1) {
+        const auto left = std::remove_if(matching.begin(), matching.end(),
+                                         [](const Deployment& one) { return refusesConnections(one.socket); });
+        if (left != matching.begin()) matching.erase(left, matching.end());
+    }
     if (matching.size() == 1) return matching.front();
     if (matching.empty()) {
         std::vector<std::string> names;
@@ -141,11 +158,13 @@ Deployment chosenDeployment(const std::string& wanted) {
 }
 
 bool isStopped(pid_t pid) {
-    std::ifstream in("/proc/" + std::to_string(pid) + "/stat");
-    std::string text;
-    std::getline(in, text);
-    const std::size_t name = text.rfind(')');  // the name of the process may have parentheses
-    return name != std::string::npos && name + 2 < text.size() && (text[name + 2] == 'T' || text[name + 2] == 't');
+    const char state = stateOf(pid);
+    return state == 'T' || state == 't';
+}
+
+bool hasEnded(pid_t pid) {
+    const char state = stateOf(pid);
+    return state == 'Z' || state == 'X' || (state == 0 && !exists(pid));
 }
 
 }  // namespace oroforge::live_client

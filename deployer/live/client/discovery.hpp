@@ -34,6 +34,8 @@ Deployment chosenDeployment(const std::string& wanted);
 
 /** Whether the process is stopped, as by SIGSTOP. */
 bool isStopped(pid_t pid);
+/** Whether there is no such process any more, or only its exit status. */
+bool hasEnded(pid_t pid);
 
 }  // namespace oroforge::live_client
 

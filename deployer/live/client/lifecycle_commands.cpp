@@ -3,8 +3,11 @@
 // oro start, stop, configure, cleanup and recover
 #include "session.hpp"
 
+#include "discovery.hpp"
 #include "failure.hpp"
 #include "state_text.hpp"
+
+#include <thread>
 
 namespace oroforge::live_client {
 namespace {
@@ -26,13 +29,26 @@ void change(Session& session, const char* what) {
         session.out().line(printable(component) + "  " + session.out().paint(styleOfState(state), state));
 }
 
+constexpr std::chrono::milliseconds kBetweenLooks{5};
+
+[[noreturn]] void reportDelay(const Requests& deployment) {
+    throw Failure(Status::Refused, "deployment '" + deployment.name() +
+                                       "' takes longer than --timeout to end, as long as code of a component does not "
+                                       "return; it goes on to end");
+}
+
 /** Waits for the end of the connection, which is thrown; a Failure if that does not come. */
-[[noreturn]] void awaitEnd(Requests& deployment) {
-    const Deadline deadline = deadlineIn(deployment.limit());
+[[noreturn]] void awaitEnd(Requests& deployment, Deadline deadline) {
     for (Json message; deployment.next(message, deadline) != Requests::Event::Time;) {
     }
-    throw Failure(Status::Refused,
-                  "deployment '" + deployment.name() + "' takes longer than --timeout to end; it goes on");
+    reportDelay(deployment);
+}
+
+/** Clients are let go before components are destroyed. */
+void awaitProcess(const Requests& deployment, Deadline deadline) {
+    if (deployment.pid() == 0) return;
+    for (; !hasEnded(deployment.pid()); std::this_thread::sleep_for(kBetweenLooks))
+        if (Clock::now() >= deadline) reportDelay(deployment);
 }
 
 }  // namespace
@@ -45,13 +61,15 @@ void recoverComponent(Session& session) { change(session, "recover"); }
 void stopSomething(Session& session) {
     if (!session.word(0).empty()) return change(session, "stop");
     Requests& deployment = session.deployment();
+    const Deadline deadline = deadlineIn(deployment.limit());
     Json result = {{"done", true}};
     try {
         result = deployment.ask("stop");
-        awaitEnd(deployment);
+        awaitEnd(deployment, deadline);
     } catch (const Ended&) {
         // Perhaps before its answer was sent.
     }
+    awaitProcess(deployment, deadline);
     if (!session.answeredAsJson(result))
         session.out().line("deployment '" + printable(deployment.name()) + "' has ended");
 }

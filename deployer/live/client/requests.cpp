@@ -16,6 +16,7 @@ constexpr const char* kAnswer = "oro.answer";
 constexpr const char* kError = "oro.error";
 constexpr double kOfDeployment = 0.8;  // part of the time limit
 constexpr const char* kPrefix = "oro.";
+constexpr std::size_t kLongestRequest = 64 * 1024;  // that a deployment takes
 
 /** "2 s", "0.5 s". */
 std::string seconds(std::chrono::milliseconds limit) {
@@ -60,7 +61,12 @@ Json Requests::resultOf(const Json& answer) {
 long long Requests::send(const std::string& verb, Json fields) {
     Json request = {{"op", kPrefix + verb}, {"id", ++last_}};
     for (auto& field : fields.items()) request[field.key()] = std::move(field.value());
-    if (!connection_->send(lineOf(request), deadlineIn(limit_))) reportSilence(limit_);
+    const std::string line = lineOf(request);
+    if (line.size() > kLongestRequest)
+        throw Failure(Status::Refused, "the request '" + verb + "' has " + std::to_string(line.size()) +
+                                           " bytes, more than the " + std::to_string(kLongestRequest) +
+                                           " that a deployment takes");
+    if (!connection_->send(line, deadlineIn(limit_))) reportSilence(limit_);
     return last_;
 }
 

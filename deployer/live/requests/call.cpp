@@ -58,8 +58,12 @@ void assignArgument(const Source& to, const json& from, const std::string& name)
     if (!from.is_string() || takesText) return assign(to, from, name);
     try {
         assign(to, from.get_ref<const std::string&>(), name);
-    } catch (const Failure&) {
-        assign(to, from, name);  // as a letter, which may be a blank
+    } catch (const Failure& failure) {
+        try {
+            assign(to, from, name);  // as a letter, which may be a blank
+        } catch (const Failure&) {
+            throw failure;
+        }
     }
 }
 
@@ -72,7 +76,8 @@ void addArguments(Call& call, const json& from) {
     const OperationSignature& signature = call.signature;
     if (from.size() != signature.arguments.size())
         throw Failure(kWrongValue, "operation '" + call.path + "' has " + std::to_string(signature.arguments.size()) +
-                                       " arguments, found " + std::to_string(from.size()));
+                                       (signature.arguments.size() == 1 ? " argument" : " arguments") + ", found " +
+                                       std::to_string(from.size()));
     for (std::size_t i = 0; i != from.size(); ++i) {
         const auto* const type = signature.arguments[i].type;
         const Source made = type ? type->buildValue() : nullptr;

@@ -119,6 +119,8 @@ Found findComponent(const Root& root, Visits& visits, const std::string& path) {
 void unknown(const Found& found, const char* what) {
     const std::string& name = found.rest.front();
     const std::string in = found.path.empty() ? found.componentName() : found.path;
+    if (std::find(found.known.begin(), found.known.end(), name) != found.known.end())
+        throw Failure(kUnknownName, "'" + in + "." + name + "' is no " + what);
     throw Failure(kUnknownName, std::string("there is no ") + what + " '" + name + "' in '" + in + "'" +
                                     oroforge::diag::didYouMean(name, found.known));
 }

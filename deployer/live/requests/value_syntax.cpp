@@ -68,6 +68,7 @@ private:
             const std::string name = next() == '"' ? quoted('"') : bare();
             if (name.empty()) wrong("the name of a field");
             if (!take('=') && !take(':')) wrong("'='");
+            if (made.contains(name)) throw Failure(kWrongValue, "field '" + name + "' has two values");
             made[name] = value(depth + 1);
         } while (take(','));
         if (!take('}')) wrong("',' or '}'");
@@ -114,9 +115,10 @@ private:
         std::uint64_t whole = 0;
         const auto [end, error] = std::from_chars(first, last, whole, hex ? 16 : 10);
         if (error == std::errc() && end == last && first != last) {
+            constexpr std::uint64_t most = std::numeric_limits<std::int64_t>::max();
             if (!minus) return whole;
-            if (whole <= static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max()))
-                return -static_cast<std::int64_t>(whole);
+            if (whole <= most) return -static_cast<std::int64_t>(whole);
+            if (whole == most + 1) return std::numeric_limits<std::int64_t>::min();
         }
         double real = 0;
         const auto [realEnd, realError] = std::from_chars(name.data() + (name[0] == '+' ? 1 : 0), last, real);

@@ -107,6 +107,32 @@ Source memberOf(const Source& whole, const std::string& name, std::vector<std::s
     return whole->getMember(name);
 }
 
+/** Elements of an array of C++, which is part of a struct; -1 for anything else. */
+int sizeOfArray(const Source& value) {
+    if (*value->getTypeInfo()->getArrayElement() == '\0') return -1;
+    const Source size = value->getMember("size");
+    const auto* const number = size ? DataSource<int>::narrow(size.get()) : nullptr;
+    return number ? number->get() : -1;
+}
+
+json arrayJson(const Source& value, int size, std::size_t most, bool& wasCut) {
+    json made = json::array();
+    for (int i = 0; i < size && !wasCut; ++i) made.push_back(jsonOf(value->getMember(std::to_string(i)), most, wasCut));
+    return wasCut ? json() : made;
+}
+
+void assignArray(const Source& value, int size, const json& from, const std::string& path) {
+    if (!from.is_array() || from.size() != static_cast<std::size_t>(size))
+        throw Failure(kWrongValue, path + ": found " + kindOf(from) +
+                                       (from.is_array() ? " of " + std::to_string(from.size()) : std::string()) +
+                                       ", expected an array of " + std::to_string(size) + " (type " + typeOf(value) +
+                                       ")");
+    for (int i = 0; i < size; ++i) {
+        const std::string index = std::to_string(i);
+        assign(value->getMember(index), from[static_cast<std::size_t>(i)], path + "[" + index + "]");
+    }
+}
+
 }  // namespace
 
 Copied::Copied(const Source& original) : original_(original) {
@@ -160,6 +186,7 @@ json jsonOf(const Source& value, std::size_t most, bool& wasCut) {
     if (const auto* const bag = bagIn(value)) return bagJson(bag->rvalue(), most, wasCut);
     const void* const address = value->getRawConstPointer();
     const Form form = formOf(*value->getTypeInfo());
+    if (const int size = form.json ? -1 : sizeOfArray(value); size >= 0) return arrayJson(value, size, most, wasCut);
     if (!form.json || !address) return nullptr;
     // Text that would be too long need not be made.
     const bool isLarge = form.plan && form.plan->sizeOf(address) / kBytesPerLetter > most;
@@ -178,6 +205,8 @@ Source partOf(const Source& whole, const std::vector<std::string>& parts, const 
         std::vector<std::string> known;
         const Source member = memberOf(at, part, known);
         const bool index = isIndex(part);
+        if (!member && !index && std::find(known.begin(), known.end(), part) != known.end())
+            throw Failure(kNoForm, "field '" + part + "' of '" + here + "' is out of reach; the log says why");
         if (!member)
             throw Failure(kUnknownName, "'" + here + "', of type " + typeOf(at) + ", has no " +
                                             (index ? "element [" + part + "]"
@@ -192,6 +221,7 @@ void assign(const Source& value, const json& from, const std::string& path) {
     value->evaluate();
     if (const auto* const bag = bagIn(value)) return assignBag(bag->rvalue(), from, path);
     const Form form = formOf(*value->getTypeInfo());
+    if (const int size = form.json ? -1 : sizeOfArray(value); size >= 0) return assignArray(value, size, from, path);
     void* const address = value->getRawPointer();
     if (!form.json || !address) {
         const bool text = from.is_string();
@@ -222,7 +252,7 @@ void assign(const Source& value, const std::string& text, const std::string& pat
         if (!formOf(*value->getTypeInfo()).json && value->getTypeInfo()->fromString(text, value)) return;
         throw Failure(failure.code(), path + ": " + failure.what());
     }
-    if (!bagIn(value) && !formOf(*value->getTypeInfo()).json) parsed = text;
+    if (!bagIn(value) && !formOf(*value->getTypeInfo()).json && sizeOfArray(value) < 0) parsed = text;
     assign(value, parsed, path);
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <string_view>
 
 namespace OCL::live {
@@ -23,11 +24,16 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
-/** "localhost" of "LocalHost:8765", "[::1]" of "[::1]:8765". */
+/** "localhost" of "LocalHost:8765", "[::1]" of "[::1]:8765"; empty if anything else follows the host. */
 std::string hostOf(std::string_view authority) {
+    constexpr long kLastPort = 65535;
     const std::size_t bracket = authority.find(']');
     const std::size_t colon = authority.find(':', bracket == std::string_view::npos ? 0 : bracket);
-    return lower(authority.substr(0, colon));
+    const std::string host = lower(authority.substr(0, colon));
+    if (colon == std::string_view::npos) return host;
+    const std::string port(authority.substr(colon + 1));
+    const bool isPort = port.size() <= 5 && port.find_first_not_of("0123456789") == std::string::npos;
+    return isPort && std::atol(port.c_str()) <= kLastPort ? host : "";
 }
 
 bool isThisComputer(const std::string& host) {

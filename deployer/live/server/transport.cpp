@@ -182,6 +182,9 @@ private:
         head_.origin = field(http::field::origin);
         head_.authorization = field(http::field::authorization);
         head_.protocols = field(http::field::sec_websocket_protocol);
+        for (const auto once : {http::field::host, http::field::origin, http::field::authorization})
+            if (request.count(once) > 1)
+                return refuse(400, "the header " + std::string(http::to_string(once)) + " came twice");
         if (buffer_.size() != 0) return refuse(400, "a message came before the WebSocket was open");
         Verdict verdict{500, "it is not decided", ""};
         guarded([&] { verdict = owner_.reception.judge(head_); });

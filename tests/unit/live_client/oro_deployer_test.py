@@ -228,6 +228,15 @@ class Deployed(OroCase):
         self.deployer.wait(15)
         self.assertIn("no deployment", self.oro("list")[1])
 
+    def test_stop_reports_a_deployment_that_does_not_end(self):
+        self.addCleanup(self.deployer.kill)
+        self.oro("call", "Deployer.loadService", "tank", "os")
+        _, err = self.oro("call", "tank.os.sleep", "4", "--wait", "0.1", status=1)
+        self.assertIn("LIV004", err)
+        _, err = self.oro("stop", "--timeout", "1", status=1)
+        self.assertIn("deployment 'Deployer' takes longer than --timeout to end", err)
+        self.assertIsNone(self.deployer.poll())
+
     def test_shells_complete_names(self):
         def words(*typed):
             return [line.split("\t")[0] for line in self.oro("__complete", *typed)[0].splitlines()]

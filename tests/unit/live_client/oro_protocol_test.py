@@ -143,6 +143,44 @@ class Protocol(OroCase):
         self.assertFalse(left.exists())
         self.assertTrue(other.exists())
 
+    def test_a_socket_that_was_left_does_not_count_if_its_number_is_that_of_another_process(self):
+        self.fake(lambda c, r: c.answer(r, {"components": []}), name="arm")
+        with socket.socket(socket.AF_UNIX) as one:
+            one.bind(str(self.directory / "oroforge" / f"{os.getppid()}-old.sock"))
+        self.oro("tree")
+        self.assertNotIn("old", self.oro("list")[0])
+
+    def test_a_path_that_is_too_long_for_a_socket_leads_through_its_folder(self):
+        fake = self.fake(lambda c, r: c.answer(r, {"components": []}), name="arm")
+        runtime = self.directory / ("x" * 120)
+        runtime.mkdir(mode=0o700)
+        fake.folder.rename(runtime / "oroforge")
+        self.oro("tree", XDG_RUNTIME_DIR=str(runtime))
+        self.oro("tree", "-d", str(runtime / "oroforge" / fake.path.name))
+        self.assertIn("arm", self.oro("list", XDG_RUNTIME_DIR=str(runtime))[0])
+        with socket.socket(socket.AF_UNIX) as one:
+            folder = os.open(runtime / "oroforge", os.O_PATH)
+            self.addCleanup(os.close, folder)
+            one.bind(f"/proc/self/fd/{folder}/99999999-old.sock")
+        self.oro("list", XDG_RUNTIME_DIR=str(runtime))
+        self.assertFalse((runtime / "oroforge" / "99999999-old.sock").exists())
+
+    def test_a_request_that_is_too_long_is_not_sent(self):
+        fake = self.fake(lambda c, r: c.answer(r, {}))
+        _, err = self.oro("get", "a" * 70000, status=1)
+        self.assertRegex(err, "the request 'get' has 70[0-9]{3} bytes, more than the 65536 that a deployment takes")
+        self.assertEqual([], fake.requests)
+
+    def test_an_empty_name_is_not_the_whole_deployment(self):
+        fake = self.fake(lambda c, r: c.answer(r, {}))
+        for command in "stop", "start", "cleanup", "configure", "recover", "tree":
+            self.assertIn("COMPONENT is an empty text", self.oro(command, "", status=2)[1])
+        for words in ("show", ""), ("get", ""), ("echo", ""), ("call", ""), ("set", "", "1"):
+            self.assertIn("is an empty text", self.oro(*words, status=2)[1])
+        self.assertIn("the value of --deployment is an empty text", self.oro("-d", "", "stop", status=2)[1])
+        self.assertEqual([], fake.requests)
+        self.oro("set", "a.b", "")
+
     def test_a_folder_that_others_can_write_to_is_not_used(self):
         fake = self.fake(lambda c, r: c.answer(r, {}))
         fake.folder.chmod(0o777)
@@ -167,6 +205,8 @@ class Protocol(OroCase):
         self.oro("set", "a.b", "[1, 2]")
         self.oro("call", "a.b", "-1", "[1, 2]", "text", '"5"', "--timeout", "3")
         self.assertEqual(["-0.5", "[1, 2]"], [r["text"] for r in fake.requests[:2]])
+        self.oro("set", "a.b", "\x01x")
+        self.assertEqual("\x01x", fake.requests.pop()["text"])
         self.assertEqual(["-1", "[1, 2]", "text", "5"], fake.requests[2]["arguments"])
 
 
