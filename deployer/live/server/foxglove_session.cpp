@@ -19,7 +19,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::int64_t kPoll = 1000000000, kTimes = 100000000;  // ns
+constexpr std::int64_t kPoll = 1000000000, kTimes = 100000000, kTimeStep = 1000000, kClockJump = 1000000000;  // ns
 constexpr unsigned kPollPeriod = 250, kBuffer = 128, kMostAtOnce = 2000;
 constexpr std::size_t kMostSubscriptions = 1024;
 
@@ -93,7 +93,7 @@ void FoxgloveSession::subscribe(const json& message) {
 void FoxgloveSession::watch(Subscription& subscription, bool again) {
     try {
         subscription.port =
-            client_.host().watch(subscription.path, {SampleForm::Cdr, kBuffer, /*times=*/false, client_.number()});
+            client_.host().watch(subscription.path, {SampleForm::Cdr, kBuffer, /*times=*/true, client_.number()});
     } catch (const Failure& failure) {
         if (!again) warn(failure.what());
     }
@@ -116,11 +116,8 @@ unsigned FoxgloveSession::wantedPeriod() const {
 }
 
 void FoxgloveSession::onTick(std::int64_t now) {
-    for (auto& [id, subscription] : subscriptions_) readAll(id, subscription);
-    if (now >= nextTime_) {
-        nextTime_ = now + kTimes;
-        client_.queue().addSample(0, {foxgloveTime(static_cast<std::uint64_t>(wallTime())), true});
-    }
+    sendSamples(now);
+    if (now >= nextTime_) sendTime(wallTime(), now);
     // A client that does not read must not collect answers that it has not asked for.
     if (now < nextPoll_ || client_.isFull()) return;
     nextPoll_ = now + kPoll;
@@ -131,16 +128,35 @@ void FoxgloveSession::onTick(std::int64_t now) {
     if (wantsGraph_) updateGraph();
 }
 
-void FoxgloveSession::readAll(std::uint32_t id, Subscription& subscription) {
+/** Foxglove shows a sample at the time that it was sent last, so each millisecond of samples has its own. */
+void FoxgloveSession::sendSamples(std::int64_t now) {
+    std::vector<Sample> samples;
+    for (auto& [id, subscription] : subscriptions_) readAll(id, subscription, samples);
+    std::stable_sort(samples.begin(), samples.end(),
+                     [](const Sample& one, const Sample& other) { return one.time < other.time; });
+    for (const Sample& sample : samples) {
+        if (sample.time >= lastTime_ + kTimeStep) sendTime(sample.time, now);
+        const auto time = static_cast<std::uint64_t>(sample.time);
+        client_.queue().addSample(sample.subscription, {foxgloveData(sample.subscription, time, sample.value), true});
+    }
+}
+
+void FoxgloveSession::readAll(std::uint32_t id, Subscription& subscription, std::vector<Sample>& samples) {
     if (!subscription.port) return;
     const bool isConnected = subscription.port->isConnected();
     std::string value;
     for (unsigned i = 0; i != kMostAtOnce && subscription.port->read(value); ++i)
-        if (!value.empty())
-            client_.queue().addSample(
-                id, {foxgloveData(id, static_cast<std::uint64_t>(subscription.port->time()), value), true});
+        if (!value.empty()) samples.push_back({subscription.port->time(), id, value});
     // The component may come back.
     if (!isConnected) subscription.port.reset();
+}
+
+/** Goes back only with the clock of the computer, because Foxglove then forgets what it has. */
+void FoxgloveSession::sendTime(std::int64_t time, std::int64_t now) {
+    nextTime_ = now + kTimes;
+    if (time <= lastTime_ && time > lastTime_ - kClockJump) return;
+    lastTime_ = time;
+    client_.queue().addSample(0, {foxgloveTime(static_cast<std::uint64_t>(time)), true});
 }
 
 void FoxgloveSession::onLines(const std::vector<LogLine>& lines) {

@@ -57,7 +57,14 @@ private:
     void updateParameters();
     void updateGraph();
     void fail(const FoxgloveCall& call, const std::string& why);
-    void readAll(std::uint32_t id, Subscription& subscription);
+    struct Sample {
+        std::int64_t time;  // ns since 1970
+        std::uint32_t subscription;
+        std::string value;
+    };
+    void sendSamples(std::int64_t now);
+    void readAll(std::uint32_t id, Subscription& subscription, std::vector<Sample>& samples);
+    void sendTime(std::int64_t time, std::int64_t now);
     void warn(const std::string& text);
 
     LiveClient& client_;
@@ -69,6 +76,7 @@ private:
     bool wantsGraph_ = false, isUpdating_ = false;
     FoxgloveGraph graph_;
     std::int64_t nextPoll_ = 0, nextTime_ = 0;
+    std::int64_t lastTime_ = 0;  // that the client knows, ns since 1970
 };
 
 }  // namespace OCL::live

@@ -21,9 +21,8 @@
 #include <cerrno>
 #include <list>
 #include <optional>
-#include <vector>
-
 #include <sys/socket.h>
+#include <vector>
 
 namespace OCL::live {
 namespace {

@@ -17,6 +17,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cstring>
 #include <chrono>
 #include <cstdint>
 #include <memory>
@@ -283,15 +284,27 @@ TEST_F(LiveServer, FoxgloveGetsChannelsOfComponentsThatComeAndGo) {
     EXPECT_EQ("cdr", channels[0].value("encoding", ""));
     EXPECT_EQ("ros2msg", channels[0].value("schemaEncoding", ""));
     ASSERT_TRUE(fox.say({{"op", "subscribe"}, {"subscriptions", {{{"id", 9}, {"channelId", channels[0]["id"]}}}}}));
-    for (;;) {
+    const auto timeAt = [](const std::string& bytes, std::size_t at) {
+        std::int64_t time = 0;
+        std::memcpy(&time, bytes.data() + at, sizeof time);
+        return time;
+    };
+    std::int64_t shown = 0;  // Foxglove shows a sample at the time that it was sent last
+    for (int samples = 0; samples != 20;) {
         const json message = fox.hear();
         ASSERT_FALSE(message.is_null());
         if (!message.is_string()) continue;
         const auto bytes = message.get<std::string>();
+        if (bytes[0] == 2) {
+            EXPECT_GT(timeAt(bytes, 1), shown);
+            shown = timeAt(bytes, 1);
+        }
         if (bytes[0] != 1) continue;
         EXPECT_EQ(std::string("\x01\x09\0\0\0", 5), bytes.substr(0, 5));
         EXPECT_EQ(1U + 4 + 8 + 4 + 8, bytes.size());
-        break;
+        EXPECT_LT(timeAt(bytes, 5) - shown, 1000000);
+        EXPECT_GT(timeAt(bytes, 5) - shown, -1000000000);
+        ++samples;
     }
     // The graph has the topics that are not read, and not the live window, which reads one.
     ASSERT_TRUE(fox.say({{"op", "subscribeConnectionGraph"}}));
