@@ -106,7 +106,38 @@ void onlyNew(Trial& trial) {
 }
 TEST(CountedData, only_new_samples) { EXPECT_TRUE(model::holds(onlyNew)); }
 
+/** As PortLink::newest(): by the number of the newest sample, a reader finds out whether it has read it. */
+void byNumber(Trial& trial) {
+    const auto store = makeStore(1);
+    write(*store, 1);
+    std::uint64_t seen = 0;
+    int got = 0;
+    const auto look = [&] {
+        std::uint64_t number = store->newest();
+        while (number != seen) {
+            TracedSample sample(-1);
+            (void)store->read(&sample, true);
+            require(sample.get() >= got, "an older sample after a newer one");
+            got = sample.get();
+            const std::uint64_t now = store->newest();
+            if (now == number) seen = number;
+            number = now;
+        }
+    };
+    trial.thread([&] {
+        write(*store, 2);
+        write(*store, 3);
+    });
+    trial.thread([&] { look(); });
+    trial.go();
+    look();
+    require(got == 3, "the last sample is lost");
+}
+TEST(CountedData, new_samples_by_number) { EXPECT_TRUE(model::holds(byNumber)); }
+
 TEST(CountedData, planted_faults_are_found) {
+    EXPECT_TRUE(model::catches("counted_relaxed_turn", byNumber));
+    EXPECT_TRUE(model::catches("counted_turn_without_look", byNumber));
     EXPECT_TRUE(model::catches("counted_no_second_look", oneWriter));
     EXPECT_TRUE(model::catches("counted_readers_ignored", oneWriter));
     EXPECT_TRUE(model::catches("counted_relaxed_claim", oneWriter));

@@ -16,3 +16,7 @@ faulty_value(counted_relaxed_visit ${file}
 faulty_value(counted_relaxed_leave ${file}
   [=[(now - 1) & ~kUnread, @{std::memory_order_acq_rel}@)]=] [=[std::memory_order_relaxed]=])
 faulty_value(counted_new_twice ${file} [=[return @{now & kUnread}@ ? NewData : OldData;]=] [=[true]=])
+faulty_value(counted_relaxed_turn ${file}
+  [=[header(i).turn.load(std::memory_order_relaxed) + 1, @{std::memory_order_release}@)]=] [=[std::memory_order_relaxed]=])
+faulty_value(counted_turn_without_look ${file}
+  [=[if (@{c == current_.load(std::memory_order_acquire)}@)]=] [=[true]=])
