@@ -9,8 +9,8 @@
 
 namespace oroforge::typekit {
 
-/// Warning TK084 for the first field of a struct with the word `@stamp` in its comment, if recorders cannot take it as a
-/// time. They take what RTT::encoding::Stamp does. Structs that the model does not have are not looked into.
+/// Warning TK084 for the first field of a struct with the word `@stamp` in its comment, if recorders cannot take it as
+/// a time. They take what RTT::encoding::Stamp does. Structs that the model does not have are not looked into.
 void checkStamps(const model::TypeModel& model, diag::Sink& sink);
 
 }  // namespace oroforge::typekit
