@@ -10,6 +10,7 @@
 
 #include <adapters/read_adapters.hpp>
 #include <clang/types/type_reader.hpp>
+#include <collect/check_stamps.hpp>
 #include <collect/close_model.hpp>
 #include <collect/header_inputs.hpp>
 #include <collect/import_package.hpp>
@@ -87,6 +88,7 @@ std::optional<model::TypeModel> readModel(const Options& options, const cxx::Par
     if (model) model->files.insert(model->files.end(), options.adapters.begin(), options.adapters.end());
     if (model) closeModel(*model, sink);
     if (model) messages::matchMessages(*model, sink);
+    if (model) checkStamps(*model, sink);
     if (sink.hadErrors()) return std::nullopt;
     return model;
 }

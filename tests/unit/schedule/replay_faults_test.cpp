@@ -137,7 +137,7 @@ TEST_F(ReplayFaults, AToolchainWithoutThePartThatReadsRecordings) {
     directory_.write(fs::path("copies") / REPLAY_PART, "no library");
     EXPECT_THAT(error(), HasSubstr("--replay: error: [RPL001] the part that reads recordings cannot be used: "));
     fs::remove(part);
-    fs::copy_file(RUNTIME_LIBRARY, part);
+    fs::copy_file(OTHER_LIBRARY, part);
     EXPECT_THAT(error(), HasSubstr("is of another version"));
 }
 
