@@ -6,7 +6,7 @@
 
 #include <ocl/Category.hpp>
 #include <rtt/Logger.hpp>
-#include <rtt/internal/ConnectionManager.hpp>
+#include <rtt/internal/flow/connection_facts.hpp>
 #include <rtt/internal/flow/storage_core.hpp>
 
 #include <atomic>
@@ -24,15 +24,12 @@ std::atomic<unsigned long> reportedLost{0}, reportedCut{0};
 
 void DroppedEvents::lookLocked() {
     std::map<const void*, Connection> now;
-    for (const auto& descriptor : port_.getManager()->getConnections()) {
-        const RTT::base::ChannelElementBase::shared_ptr channel = descriptor.get<1>();
-        RTT::internal::StorageCore* const core = channel ? channel->storageCore() : nullptr;
-        if (!core) continue;
+    for (const RTT::base::ChannelElementBase::shared_ptr& channel : RTT::internal::storagesOf(port_)) {
+        const RTT::internal::SampleStore& store = channel->storageCore()->store();
         const auto known = connections_.find(channel.get());
-        Connection connection = known != connections_.end()
-                                    ? known->second
-                                    : Connection{channel, writerOf(*channel), core->store().capacity(), 0};
-        const std::size_t dropped = core->store().dropped();
+        Connection connection =
+            known != connections_.end() ? known->second : Connection{channel, writerOf(*channel), store.capacity(), 0};
+        const std::size_t dropped = store.dropped();
         Counts& counts = categories_[connection.category];
         counts.capacity = connection.capacity;
         counts.dropped += dropped - connection.dropped;

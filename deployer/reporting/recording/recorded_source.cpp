@@ -6,7 +6,6 @@
 #include <rtt/Logger.hpp>
 #include <rtt/internal/flow/connection_facts.hpp>
 #include <rtt/internal/flow/sample_store.hpp>
-#include <rtt/internal/flow/storage_core.hpp>
 #include <rtt/types/TypeInfo.hpp>
 
 #include <algorithm>
@@ -84,11 +83,7 @@ void RecordedSource::findStores() {
     stores_ = RTT::internal::storagesOf(*source_->port());
 }
 
-std::size_t RecordedSource::dropped() const {
-    std::size_t sum = 0;
-    for (const RTT::base::ChannelElementBase::shared_ptr& at : stores_) sum += at->storageCore()->store().dropped();
-    return sum;
-}
+std::size_t RecordedSource::dropped() const { return RTT::internal::droppedIn(stores_); }
 
 void RecordedSource::lose(std::uint64_t count) {
     sequence_ += static_cast<std::uint32_t>(count);

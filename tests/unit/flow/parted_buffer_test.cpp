@@ -69,6 +69,7 @@ TEST_F(PartedBuffer, HasOnePartUnlessThereAreProcessorsAndPlacesForMore) {
     EXPECT_EQ(internal::bufferParts(1), 1u);
     EXPECT_EQ(internal::bufferParts(15), 1u);
     EXPECT_LE(internal::bufferParts(1000000), 8u);
+    EXPECT_EQ(internal::bufferParts(2000000), 1u);
     if (std::thread::hardware_concurrency() > 1) {
         EXPECT_GE(internal::bufferParts(16), 2u);
     }

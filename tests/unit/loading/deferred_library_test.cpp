@@ -89,11 +89,12 @@ TEST_F(DeferredLibraries, TypesAreKnownBeforeTheirLibraryIsLoaded) {
 
 TEST_F(DeferredLibraries, UnknownTypesAreLookedForInAll) {
     add("lazy", "listed", "loading_listed");
-    add("lazy", "mixed", "loading_mixed");
+    const std::string mixed = add("lazy", "mixed", "loading_mixed");
     ASSERT_TRUE(importInstalled("lazy"));
     expectCreated("loading_test::Mixed");
     expectCreated("loading_test::Pair<int, int>");
     EXPECT_THAT(errorOf("loading_test::Pear<int, int>"), HasSubstr("did you mean 'loading_test::Pair<int, int>'"));
+    EXPECT_TRUE(loader_->unloadLibrary(mixed));  // registers types for all loaders
 }
 
 TEST_F(DeferredLibraries, TypesThatItsFileDoesNotListAreFound) {
@@ -101,6 +102,7 @@ TEST_F(DeferredLibraries, TypesThatItsFileDoesNotListAreFound) {
     ASSERT_TRUE(importInstalled("lazy"));
     EXPECT_FALSE(isMapped(file));
     EXPECT_NE(loader_->factoryOf("loading_test::Pair<int, int>"), nullptr);
+    EXPECT_TRUE(loader_->unloadLibrary(file));
 }
 
 TEST_F(DeferredLibraries, OnlyTheLibraryOfTheTypeIsLoaded) {

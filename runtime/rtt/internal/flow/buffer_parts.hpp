@@ -15,7 +15,7 @@ namespace internal {
 constexpr int kThreadsOfParts = 16;
 
 /** The number of parts of such a buffer: one for each processor, at most eight, none of them smaller than eight
-    samples. */
+    samples. One if there are more than 1,048,576 samples. */
 RTT_API std::size_t bufferParts(std::size_t size);
 /** How many samples such a buffer allocates. */
 RTT_API std::size_t bufferElements(std::size_t size, std::size_t threads);

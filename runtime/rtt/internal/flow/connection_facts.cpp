@@ -43,10 +43,12 @@ std::vector<ChannelElementBase::shared_ptr> storagesOf(const base::PortInterface
     return found;
 }
 
-std::uint64_t droppedSamples(const base::PortInterface& input) {
+std::uint64_t droppedIn(const std::vector<ChannelElementBase::shared_ptr>& storages) {
     std::uint64_t sum = 0;
-    for (const ChannelElementBase::shared_ptr& at : storagesOf(input)) sum += at->storageCore()->store().dropped();
+    for (const ChannelElementBase::shared_ptr& at : storages) sum += at->storageCore()->store().dropped();
     return sum;
 }
+
+std::uint64_t droppedSamples(const base::PortInterface& input) { return droppedIn(storagesOf(input)); }
 
 }  // namespace RTT::internal

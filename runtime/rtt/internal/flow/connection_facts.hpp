@@ -29,6 +29,9 @@ RTT_API base::ChannelElementBase::shared_ptr storageFrom(base::ChannelElementBas
 /** For each connection of an input port, the first element before the port that stores samples. Not real-time safe. */
 RTT_API std::vector<base::ChannelElementBase::shared_ptr> storagesOf(const base::PortInterface& input);
 
+/** The number of samples that found no room in these elements, each of which stores samples. */
+RTT_API std::uint64_t droppedIn(const std::vector<base::ChannelElementBase::shared_ptr>& storages);
+
 /** The number of samples for an input port that found no room, in all its present connections. Not real-time safe. */
 RTT_API std::uint64_t droppedSamples(const base::PortInterface& input);
 

@@ -28,7 +28,7 @@ namespace RTT::internal::detail {
 namespace {
 
 constexpr std::size_t kMostParts = 8, kSmallestPart = 8;
-constexpr std::size_t kMostSamples = 1 << 20;  // of a part; far less than it could have
+constexpr std::size_t kMostSamples = 1 << 20;  // in all parts; a larger buffer is not divided
 
 /** Finds out whether writers on several processors take turns: a thread that is moved to another one now and then is no
     reason for parts. */
@@ -189,7 +189,6 @@ private:
 }  // namespace
 
 StorePtr makePartedBuffer(const types::TypeOps& ops, const StoreSpec& spec, const void* first) {
-    if (spec.size / 2 > kMostSamples) return nullptr;
     const std::size_t parts = bufferParts(spec.size);
     return parts < 2 ? makeLockFreeBuffer(ops, spec, first) : StorePtr(new PartedBuffer(ops, spec, first, parts));
 }
@@ -198,6 +197,7 @@ StorePtr makePartedBuffer(const types::TypeOps& ops, const StoreSpec& spec, cons
 
 std::size_t RTT::internal::bufferParts(std::size_t size) {
     using namespace detail;
+    if (size > kMostSamples) return 1;
     return std::max<std::size_t>(1, std::min({kMostParts, std::size_t{processorCount()}, size / kSmallestPart}));
 }
 
