@@ -291,6 +291,14 @@ class Samples(OroCase):
         points = json.loads(self.oro("plot", "tank.level", "--count", "2", "--format=json")[0])["points"]
         self.assertEqual([[0, 0], [0.1, 1]], points)
 
+    def test_a_table_for_a_terminal_has_no_control_characters(self):
+        text = "\x1b[31mred\x9b\x07"
+        self.fake(lambda c, r: port(c, r, [{"value": text}]))
+        self.assertIn(text, self.oro("echo", "tank.level", "--csv", "--once")[0])
+        program = self.open_oro("echo", "tank.level", "--csv", "--once")
+        program.wait_for("?[31mred??")
+        self.assertEqual(0, program.end())
+
     def test_a_curve_is_drawn_on_a_terminal_until_ctrl_c(self):
         self.fake(lambda c, r: port(c, r, [{}, {"time": 2_000_000_000, "value": 1.5}]))
         program = self.open_oro("plot", "tank.level", "--height", "6")
