@@ -61,6 +61,22 @@ TEST_F(Tool, TextsOfAFileDoNotCommandTheTerminal) {
     EXPECT_THAT(run({"info", "no\033[31m.mcap"}).err, HasSubstr("no?[31m.mcap: error:"));
 }
 
+TEST_F(Tool, AMessageThatDoesNotFitIsReportedOnce) {
+    std::vector<Told> all = messages();
+    all.push_back({1, 2, 4000000000, "short"});
+    record("run.mcap", all);
+    for (const char* const format : {"table", "csv"}) {
+        const std::string said = expect(1, {"convert", "run.mcap", "--topic", "/tank/level", "--to", format}).err;
+        EXPECT_THAT(said, HasSubstr("topic '/tank/level': the message at 4.000000000 does not fit its schema"));
+        EXPECT_EQ(1, std::count(said.begin(), said.end(), '\n')) << said;
+    }
+}
+
+TEST_F(Tool, AnUnknownCommandIsNamed) {
+    EXPECT_THAT(expect(2, {"inof", "run.mcap"}).err, StartsWith("oro-mcap: error: unknown command 'inof'"));
+    EXPECT_THAT(expect(2, {}).err, HasSubstr("subcommand is required"));
+}
+
 TEST_F(Tool, ReadsTypesThatAreDescribedAsIdl) {
     const char* const text =
         "module tank {\nstruct Point { uint16 x; float y; };\n"
