@@ -128,6 +128,9 @@ class Protocol(OroCase):
         self.assertEqual(["fake", "mute"], [one["name"] for one in found])
         self.assertEqual({"name": "c", "state": "Exception"}, found[0]["components"][2])
         self.assertEqual("does not answer", found[1]["problem"])
+        chosen = json.loads(self.oro("list", "--format=json", "-d", "fake")[0])
+        self.assertEqual(["fake"], [one["name"] for one in chosen])
+        self.assertIn("this deployment is not running", self.oro("list", "-d", "nobody")[1])
 
     def test_sockets_of_dead_processes_are_removed(self):
         dead = subprocess.Popen([sys.executable, "-c", ""])
