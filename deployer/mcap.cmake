@@ -111,6 +111,7 @@ add_executable(oro-mcap
   reporting/mcap_tool/new_file.cpp
   reporting/mcap_tool/opened_file.cpp
   reporting/mcap_tool/options.cpp
+  reporting/mcap_tool/plain_text.cpp
   reporting/mcap_tool/recover.cpp)
 target_link_libraries(oro-mcap PRIVATE oroforge_mcap oroforge_message_schema oroforge_diag CLI11::CLI11)
 install(TARGETS oro-mcap RUNTIME DESTINATION bin COMPONENT runtime)

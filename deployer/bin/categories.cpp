@@ -13,6 +13,8 @@
 #include <exception>
 #include <fstream>
 
+#include <sys/stat.h>
+
 namespace OCL::deploy {
 
 #ifdef OROFORGE_WITH_LOG4CPP
@@ -21,6 +23,10 @@ std::string prepareCategories(const std::string& file, bool checkOnly) {
     (void)OCL::logging::Category::installFactory();
     if (file.empty()) return {};
     const std::string where = "log4cpp cannot be configured: ";
+    // log4cpp opens it again, and reads a device without an end for ever.
+    struct stat found {};
+    if (::stat(file.c_str(), &found) == 0 && !S_ISREG(found.st_mode) && !S_ISDIR(found.st_mode))
+        return where + "it is not a regular file";
     std::ifstream in(file);
     if (!in || (in.peek(), in.bad())) return where + std::strerror(errno);
     if (checkOnly) return {};

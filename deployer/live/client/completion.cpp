@@ -189,6 +189,7 @@ _oro() {
     local words=("${COMP_WORDS[@]:1:COMP_CWORD}") line
     COMPREPLY=()
     while IFS=$'\t' read -r line _; do
+        printf -v line %q "$line"  # bash inserts it as it is
         COMPREPLY+=("$line")
     done < <(oro __complete "${words[@]}" 2> /dev/null)
     # Parts follow a component without a blank.

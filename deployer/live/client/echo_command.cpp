@@ -27,9 +27,13 @@ std::string secondsOf(long long nanoseconds) {
     return text;
 }
 
-std::string rowOf(const Json& message, const Json& value) {
+/** A file gets texts as they are; a terminal would obey control characters in them. */
+std::string rowOf(const Json& message, const Json& value, bool forTerminal) {
     std::string row = secondsOf(wholeOf(message, "time"));
-    for (const auto& leaf : leavesOf(value)) row += "," + csvCell(plainText(leaf.second));
+    for (const auto& leaf : leavesOf(value)) {
+        const std::string text = plainText(leaf.second);
+        row += "," + csvCell(forTerminal ? printable(text) : text);
+    }
     return row;
 }
 
@@ -58,7 +62,7 @@ public:
         const std::string header = headerOf(value);
         // A sequence that has another length has other columns.
         if (header != header_) out_.line(header_ = header);
-        out_.line(rowOf(message, value));
+        out_.line(rowOf(message, value, out_.isTerminal()));
     }
 
 private:

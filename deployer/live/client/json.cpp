@@ -2,6 +2,8 @@
 // Copyright Oroforge contributors
 #include "json.hpp"
 
+#include <cstdio>
+
 namespace oroforge::live_client {
 namespace {
 
@@ -54,7 +56,26 @@ bool truthOf(const Json& object, const std::string& name) {
     return found.is_boolean() && found.get<bool>();
 }
 
-std::string lineOf(const Json& value) { return value.dump(-1, ' ', false, Json::error_handler_t::replace); }
+// A terminal obeys some characters that JSON leaves as they are, U+007F to U+009F.
+std::string lineOf(const Json& value) {
+    const std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
+    if (text.find_first_of("\x7F\xC2") == std::string::npos) return text;
+    std::string line;
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        const auto code =
+            static_cast<unsigned char>(text[at] == '\xC2' && at + 1 < text.size() ? text[++at] : text[at]);
+        const bool wide = at > 0 && text[at - 1] == '\xC2';
+        char escaped[8];
+        std::snprintf(escaped, sizeof escaped, "\\u%04x", static_cast<unsigned>(code));
+        if (code == 0x7F || (wide && code < 0xA0))
+            line += escaped;
+        else if (wide)
+            line += text.substr(at - 1, 2);
+        else
+            line += text[at];
+    }
+    return line;
+}
 
 Json parsed(const std::string& text) {
     return isTooDeep(text) ? Json(Json::value_t::discarded) : Json::parse(text, nullptr, false);

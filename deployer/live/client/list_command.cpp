@@ -83,13 +83,22 @@ std::vector<Row> rowsOf(const std::vector<Deployment>& all, std::chrono::millise
 }  // namespace
 
 void listDeployments(Session& session) {
-    const auto rows = rowsOf(runningDeployments(), std::min(kLongestWait, timeLimitOf(session.given())));
-    if (session.json()) {
-        Json all = Json::array();
-        for (const Row& row : rows) all.push_back(asJson(row));
-        return session.out().line(lineOf(all));
+    std::vector<Deployment> all = runningDeployments();
+    if (const std::string wanted = session.given().text("deployment"); !wanted.empty()) {
+        const auto isOther = [&](const Deployment& one) {
+            return one.name != wanted && std::to_string(one.pid) != wanted && one.socket != wanted;
+        };
+        all.erase(std::remove_if(all.begin(), all.end(), isOther), all.end());
     }
-    if (rows.empty()) return remark("no deployment of this user is running");
+    const auto rows = rowsOf(all, std::min(kLongestWait, timeLimitOf(session.given())));
+    if (session.json()) {
+        Json answer = Json::array();
+        for (const Row& row : rows) answer.push_back(asJson(row));
+        return session.out().line(lineOf(answer));
+    }
+    if (rows.empty())
+        return remark(session.given().has("deployment") ? "this deployment is not running"
+                                                        : "no deployment of this user is running");
     Table table({Style::Name, Style::Plain, Style::Faint, Style::Plain, Style::Plain});
     table.add({"NAME", "PID", "SINCE", "COMPONENTS", "STATES"});
     for (const Row& row : rows) {

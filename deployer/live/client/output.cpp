@@ -24,6 +24,14 @@ bool hasColours(int descriptor) {
     return isatty(descriptor) && !(none && *none) && terminal && std::strcmp(terminal, "dumb") != 0;
 }
 
+/** Bytes of a character that turns the direction of the text around it; 0 if none is there. */
+std::size_t sizeOfTurn(const std::string& text, std::size_t at) {
+    if (text.compare(at, 2, "\xE2\x80") != 0 && text.compare(at, 2, "\xE2\x81") != 0) return 0;
+    const auto last = at + 2 < text.size() ? static_cast<unsigned char>(text[at + 2]) : 0;
+    const bool turns = text[at + 1] == '\x80' ? last >= 0xAA && last <= 0xAE : last >= 0xA6 && last <= 0xA9;
+    return turns ? 3 : 0;
+}
+
 }  // namespace
 
 Output::Output(int descriptor)
@@ -71,6 +79,8 @@ std::string printable(const std::string& text) {
             result += '?';
         else if (c == 0xC2 && next >= 0x80 && next < 0xA0)  // the control characters beyond ASCII
             result += '?', ++at;
+        else if (const std::size_t turns = sizeOfTurn(text, at))
+            result += '?', at += turns - 1;
         else
             result += text[at];
     }

@@ -163,7 +163,8 @@ void Recorder::writeChunk() {
     check(good);
 }
 
-Deadline Recorder::due() const { return chunk_.empty() ? kNever : chunkSince_ + kChunkTime; }
+// The samples that come while somebody waits for this time may begin a chunk.
+Deadline Recorder::due() const { return (chunk_.empty() ? Clock::now() : chunkSince_) + kChunkTime; }
 
 void Recorder::writeDue() {
     if (Clock::now() >= due()) writeChunk();

@@ -45,7 +45,7 @@ public:
 
     /** Writes messages that have waited long enough for others. */
     void writeDue();
-    /** When a message that waits shall be written; never if there is none. */
+    /** When a message that waits, or comes now, shall be written. */
     Deadline due() const;
     void finish();
 

@@ -39,6 +39,10 @@ bool Decoders::walk(const Channel& channel, const Schema* described, const Messa
     if (!decoder) return false;
     if (decoder->walk(message.data, message.size, taker, why)) return true;
     failed_ = true;
+    // Some commands walk through the messages twice.
+    const auto [until, isFirst] = reportedUntil_.try_emplace(channel.id, message.logTime);
+    if (!isFirst && message.logTime <= until->second) return false;
+    until->second = message.logTime;
     std::cerr << file_ << ": error: [" << kUnreadable << "] topic '" << channel.topic << "': the message at "
               << secondsOf(message.logTime) << " does not fit its schema: " << why << "\n";
     return false;

@@ -70,6 +70,7 @@ public:
 private:
     const std::string file_;
     std::map<std::uint16_t, std::pair<bool, schema::MessageSchema>> known_;
+    std::map<std::uint16_t, std::uint64_t> reportedUntil_;  // by channel: the time of the last message that did not fit
     bool failed_ = false;
 };
 

@@ -1,16 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 #include "commands.hpp"
+#include "plain_text.hpp"
 
 #include <exception>
 #include <iostream>
+#include <optional>
+
+#include <unistd.h>
 
 int main(int count, char** words) {
     using namespace oroforge::mcap;
     ToolOptions options;
     int status = kFailed;
+    const PlainText errors(std::cerr);
+    std::optional<PlainText> output;
     try {
         if (!readCommandLine(count, words, options, status)) return status;
+        // Programs get the data as it is.
+        const bool isData = options.command == "cat" || options.command == "convert";
+        if (!isData || isatty(STDOUT_FILENO)) output.emplace(std::cout);
         if (options.command == "info") status = info(options);
         if (options.command == "cat") status = cat(options);
         if (options.command == "diff") status = diff(options);

@@ -56,7 +56,11 @@ bool readCommandLine(int count, char** words, ToolOptions& options, int& status)
         status = kGood;
         return false;
     } catch (const CLI::ParseError& error) {
-        std::cerr << "oro-mcap: error: " << error.what() << "; oro-mcap --help explains the command line\n";
+        const auto rest = app.remaining(true);
+        const bool isCommand = app.get_subcommands().empty() && !rest.empty() && rest.front()[0] != '-';
+        std::cerr << "oro-mcap: error: "
+                  << (isCommand ? "unknown command '" + rest.front() + "'" : std::string(error.what()))
+                  << "; oro-mcap --help explains the command line\n";
         status = kFailed;
         return false;
     }

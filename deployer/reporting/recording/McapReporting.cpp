@@ -97,12 +97,13 @@ void McapReporting::dataOnPortCallback(RTT::base::PortInterface* port) {
 }
 
 bool McapReporting::save() {
-    bool good = false;
+    bool good = false, hasRing = false;
     withReport([&](reporting::Report* report) {
         auto* const recording = static_cast<recording::Recording*>(report);
-        good = recording && recording->save();
+        hasRing = recording && recording->hasRing();
+        good = hasRing && recording->save();  // reports why it fails
     });
-    if (!good)
+    if (!hasRing)
         RTT::log(RTT::Error) << "'" << getName() << "' saved nothing: it must run, with the property Ring larger than 0"
                              << RTT::endlog();
     return good;

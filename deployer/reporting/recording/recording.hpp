@@ -56,6 +56,7 @@ public:
     unsigned long lost() const override;
     bool failed() const override { return file_ && file_->failed(); }
 
+    bool hasRing() const { return last_ != nullptr; }
     /** Writes the ring to a file, and waits for that. */
     bool save() { return last_ && pipe_->save(); }
 

@@ -247,10 +247,13 @@ class Deployed(OroCase):
         self.assertEqual(["tank.fill"], words("-d", "Deployer", "call", "tank.f"))
         self.assertEqual([], words("-d", "nobody", "call", "tank.f"))
         self.assertEqual(["Deployer"], words("-d", ""))
-        script = f'eval "$({ORO} completion bash)"; oro() {{ {ORO} "$@"; }}; COMP_WORDS=(oro echo tank.le); COMP_CWORD=2; _oro; ' \
-                 'echo "${COMPREPLY[*]}"'
-        shell = subprocess.run(["bash", "-c", script], env=self.own(), text=True, capture_output=True, timeout=10, check=True)
-        self.assertEqual("tank.level\n", shell.stdout)
+        self.oro("call", "loadComponent", "$(touch x) y", "TaskContext")
+        for typed, inserted in ("echo tank.le", "tank.level"), ("start \\$", r"\$\(touch\ x\)\ y"):
+            script = f'eval "$({ORO} completion bash)"; oro() {{ {ORO} "$@"; }}; COMP_WORDS=(oro {typed}); COMP_CWORD=2; ' \
+                     '_oro; echo "${COMPREPLY[*]}"'
+            shell = subprocess.run(["bash", "-c", script], env=self.own(), text=True, capture_output=True, timeout=10,
+                                   check=True)
+            self.assertEqual(inserted + "\n", shell.stdout)
 
     def own_shell(self, name):
         program = shutil.which(name)

@@ -74,6 +74,8 @@ TEST(OroJson, ReadsWithoutTrust) {
     EXPECT_EQ("[1]", textOf(parsed("{\"a\": [1]}"), "a"));
     EXPECT_EQ(7, wholeOf(parsed("{\"a\": 1.5}"), "a", 7));
     EXPECT_EQ("\"\uFFFD\"", lineOf(Json("\xff")));
+    EXPECT_EQ("\"\\u009b\\u007f§ä\\u001b\"", lineOf(Json("\u009b\x7f§ä\033")));
+    EXPECT_EQ("\u009b\x7f§", parsed(lineOf(Json("\u009b\x7f§"))).get<std::string>());
 }
 
 TEST(OroValues, AreWrittenAsInTheConsole) {
@@ -137,6 +139,8 @@ TEST(OroCanvas, DrawsAnyNumbers) {
 TEST(OroOutput, HasNoControlCharacters) {
     EXPECT_EQ("a?[31mb c?", printable("a\033[31mb\nc\x7f"));
     EXPECT_EQ("ä€?x", printable("ä€\u0085x"));
+    EXPECT_EQ("a?b?c–", printable("a\u202Eb\u2066c\u2013")) << "text in the other direction";
+    EXPECT_EQ("a\xE2\x80", printable("a\xE2\x80"));
 }
 
 TEST(OroCommands, AreComplete) {

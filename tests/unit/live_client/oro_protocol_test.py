@@ -128,6 +128,9 @@ class Protocol(OroCase):
         self.assertEqual(["fake", "mute"], [one["name"] for one in found])
         self.assertEqual({"name": "c", "state": "Exception"}, found[0]["components"][2])
         self.assertEqual("does not answer", found[1]["problem"])
+        chosen = json.loads(self.oro("list", "--format=json", "-d", "fake")[0])
+        self.assertEqual(["fake"], [one["name"] for one in chosen])
+        self.assertIn("this deployment is not running", self.oro("list", "-d", "nobody")[1])
 
     def test_sockets_of_dead_processes_are_removed(self):
         dead = subprocess.Popen([sys.executable, "-c", ""])
@@ -290,6 +293,14 @@ class Samples(OroCase):
         self.assertRegex(out, "[\u2801-\u28ff]")
         points = json.loads(self.oro("plot", "tank.level", "--count", "2", "--format=json")[0])["points"]
         self.assertEqual([[0, 0], [0.1, 1]], points)
+
+    def test_a_table_for_a_terminal_has_no_control_characters(self):
+        text = "\x1b[31mred\x9b\x07"
+        self.fake(lambda c, r: port(c, r, [{"value": text}]))
+        self.assertIn(text, self.oro("echo", "tank.level", "--csv", "--once")[0])
+        program = self.open_oro("echo", "tank.level", "--csv", "--once")
+        program.wait_for("?[31mred??")
+        self.assertEqual(0, program.end())
 
     def test_a_curve_is_drawn_on_a_terminal_until_ctrl_c(self):
         self.fake(lambda c, r: port(c, r, [{}, {"time": 2_000_000_000, "value": 1.5}]))

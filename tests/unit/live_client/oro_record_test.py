@@ -66,6 +66,15 @@ class Recording(OroCase):
         process.send_signal(signal.SIGINT)
         return self.ended(process, status)
 
+    def test_samples_are_in_the_file_after_half_a_second(self):
+        process = self.start_recording("hello.*", "-o", "steps.mcap")
+        file, sizes, until = self.directory / "steps.mcap", set(), time.monotonic() + 3.2
+        while time.monotonic() < until:
+            sizes.add(file.stat().st_size)
+            time.sleep(0.01)
+        process.kill()
+        self.assertGreaterEqual(len(sizes), 6, sizes)  # the head, and a chunk every 0.5 s
+
     def test_all_ports_and_the_log_are_recorded(self):
         process = self.start_recording("-o", "all.mcap")
         time.sleep(0.3)

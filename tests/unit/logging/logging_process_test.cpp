@@ -121,6 +121,9 @@ TEST_F(LoggingInDeployer, AWrongPropertyFileIsAnError) {
     const Outcome none = run(deployer({"--log4cpp-config", "none.properties"}));
     EXPECT_EQ(255, none.status);
     EXPECT_THAT(none.err, HasSubstr("none.properties: error: log4cpp cannot be configured: No such file or directory"));
+    const Outcome endless = run(deployer({"--log4cpp-config", "/dev/zero"}));
+    EXPECT_EQ(255, endless.status);
+    EXPECT_THAT(endless.err, HasSubstr("/dev/zero: error: log4cpp cannot be configured: it is not a regular file"));
     directory_.write("empty.xml", "<properties/>");
     const Outcome dry = run(deployer({"--dry-run", "-s", "empty.xml", "--log4cpp-config", "none.properties"}));
     EXPECT_EQ(255, dry.status);

@@ -174,6 +174,22 @@ TEST_F(Recorder, RingHasTheLastSeconds) {
     EXPECT_THAT(log(), HasSubstr("'Recorder' saved nothing: it must run"));
 }
 
+TEST_F(Recorder, RingThatCannotBeSavedSaysWhyAndCanBeSavedAgain) {
+    const LogText log;
+    set("Ring", 5.0);
+    set<std::string>("ReportFile", (directory / "later" / "run.mcap").string());
+    ASSERT_TRUE(recorder->reportPort("Machine", "levels") && recorder->start());
+    machine.levels.write({1});
+    step(1);
+    EXPECT_FALSE(recorder->save());
+    EXPECT_THAT(log(), HasSubstr("run.mcap' for recording: No such file or directory"));
+    EXPECT_THAT(log(), Not(HasSubstr("it must run")));
+    std::filesystem::create_directory(directory / "later");
+    EXPECT_TRUE(recorder->save());
+    recorder->stop();
+    EXPECT_THAT(read("later/run_1.mcap").messages, SizeIs(testing::Ge(1U)));
+}
+
 TEST_F(Recorder, RingTakesNoMoreMemoryThanItMay) {
     const LogText log;
     set("ChunkSize", 4096U);

@@ -39,6 +39,44 @@ TEST_F(Tool, CatPrintsJson) {
                 HasSubstr("run.mcap: error: there is no topic '/tank/cont'; did you mean '/tank/count'?"));
 }
 
+TEST_F(Tool, TextsOfAFileDoNotCommandTheTerminal) {
+    MemorySink sink;
+    Writer writer(sink);
+    EXPECT_TRUE(writer.begin({"ros2\033[31m", "a \u009b31mtest ü\302"}));
+    EXPECT_TRUE(writer.add(Schema{1, "no/msg/\aType", "ros2msg", "string data\n"}));
+    EXPECT_TRUE(writer.add(Channel{1, 1, "/a\033]0;x\a", "cdr", {}}));
+    PackedChunk packed;
+    Chunk chunk(1000);
+    std::string why;
+    EXPECT_TRUE(addTo(chunk, {1, 0, 0, "short"}) && packed.pack(chunk, nullptr, why) && writer.write(packed));
+    EXPECT_TRUE(writer.add(Metadata{"x\r", {{"k", "\x7f"}}}) && writer.finish());
+    directory.write("run.mcap", std::string(sink.bytes.begin(), sink.bytes.end()));
+    const std::string shown = expect(0, {"info", "run.mcap"}).out;
+    EXPECT_THAT(shown, HasSubstr("a ?31mtest ü\302, profile 'ros2?[31m'"));
+    EXPECT_THAT(shown, HasSubstr("/a?]0;x?"));
+    EXPECT_THAT(shown, HasSubstr("no/msg/?Type"));
+    EXPECT_THAT(shown, HasSubstr("x?: k=?"));
+    const Outcome cat = run({"cat", "run.mcap"});
+    EXPECT_THAT(cat.err, HasSubstr("topic '/a?]0;x?'"));
+    EXPECT_THAT(run({"info", "no\033[31m.mcap"}).err, HasSubstr("no?[31m.mcap: error:"));
+}
+
+TEST_F(Tool, AMessageThatDoesNotFitIsReportedOnce) {
+    std::vector<Told> all = messages();
+    all.push_back({1, 2, 4000000000, "short"});
+    record("run.mcap", all);
+    for (const char* const format : {"table", "csv"}) {
+        const std::string said = expect(1, {"convert", "run.mcap", "--topic", "/tank/level", "--to", format}).err;
+        EXPECT_THAT(said, HasSubstr("topic '/tank/level': the message at 4.000000000 does not fit its schema"));
+        EXPECT_EQ(1, std::count(said.begin(), said.end(), '\n')) << said;
+    }
+}
+
+TEST_F(Tool, AnUnknownCommandIsNamed) {
+    EXPECT_THAT(expect(2, {"inof", "run.mcap"}).err, StartsWith("oro-mcap: error: unknown command 'inof'"));
+    EXPECT_THAT(expect(2, {}).err, HasSubstr("subcommand is required"));
+}
+
 TEST_F(Tool, ReadsTypesThatAreDescribedAsIdl) {
     const char* const text =
         "module tank {\nstruct Point { uint16 x; float y; };\n"
