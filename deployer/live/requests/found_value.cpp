@@ -79,14 +79,20 @@ FoundValue findValue(const Asked& asked, const std::string& path) {
 
 void fill(const Gate& gate, const std::string& component, const Limit& limit,
           const std::vector<std::shared_ptr<Copied>>& copies) {
-    if (copies.empty()) return;
-    const auto work = [copies] {
-        for (const auto& each : copies) each->fill();
+    // A value may grow from one time to the next.
+    constexpr int kTries = 4;
+    const auto isWhole = std::make_shared<bool>(copies.empty());
+    const auto work = [copies, isWhole] {
+        *isWhole = true;
+        for (const auto& each : copies) *isWhole = each->fill() && *isWhole;
     };
-    if (gate)
-        inThreadOf(gate, component, limit, work);
-    else
-        work();
+    for (int i = 1; !*isWhole; ++i) {
+        for (const auto& each : copies) i < kTries ? each->grow() : each->mayAllocate();
+        if (gate)
+            inThreadOf(gate, component, limit, work);
+        else
+            work();
+    }
 }
 
 Source read(const FoundValue& found, const Limit& limit) {

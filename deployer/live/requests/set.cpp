@@ -30,7 +30,7 @@ void checkWritable(const FoundValue& found) {
 
 /** In the thread of the component. */
 void store(const FoundValue& found, const Source& value) {
-    const Source target = partOf(found.original, found.parts, found.whole);
+    const Source target = found.parts.empty() ? found.original : partOf(found.original, found.parts, found.whole);
     const auto* const bag = DataSource<PropertyBag>::narrow(target.get());
     const auto* const from = DataSource<PropertyBag>::narrow(value.get());
     value->evaluate();
@@ -57,14 +57,17 @@ json set(const Asked& asked) {
     else
         assign(part, asked.request["value"], found.path);
     const auto after = std::make_shared<Copied>(found.original);
-    const auto work = [found, whole, part, after] {
+    after->growFor(whole);
+    const auto isFilled = std::make_shared<bool>(false);
+    const auto work = [found, part, after, isFilled] {
         store(found, part);
-        after->fill();
+        *isFilled = after->fill();
     };
     if (found.gate)
         inThreadOf(found.gate, found.component, asked.limit, work);
     else
         work();
+    if (!*isFilled) fill(found.gate, found.component, asked.limit, {after});
     json made = described(found, after->value());
     RTT::log(RTT::Info) << asked.caller.name << " sets " << found.path << " = "
                         << cut(made["text"].get_ref<const std::string&>(), kLogged) << " (was " << before << ")"

@@ -32,6 +32,7 @@ using nlohmann::json;
 using RTT::PropertyBag;
 using RTT::encoding::Json;
 using RTT::encoding::Plan;
+using RTT::internal::AssignableDataSource;
 using RTT::internal::DataSource;
 using RTT::types::TypeInfo;
 
@@ -43,6 +44,14 @@ struct Form {
     std::shared_ptr<const Plan> plan;  ///< for the size
     std::string why;                   ///< there is none
 };
+
+/** The letters or numbers of a text or vector, which own memory; 0 for other values. Real-time safe. */
+std::size_t lengthOf(RTT::base::DataSourceBase& value) {
+    if (const auto* const text = DataSource<std::string>::narrow(&value)) return text->rvalue().size();
+    if (const auto* const all = DataSource<std::vector<double>>::narrow(&value)) return all->rvalue().size();
+    const auto* const all = DataSource<std::vector<int>>::narrow(&value);
+    return all ? all->rvalue().size() : 0;
+}
 
 /** Made once for each type. */
 Form formOf(const TypeInfo& type) {
@@ -147,6 +156,7 @@ Copied::Copied(const Source& original) : original_(original) {
         return;
     }
     copy_ = original_->getTypeInfo()->buildValue();
+    if (copy_) leaves_.push_back({original_, copy_, 0, 0});
 }
 
 void Copied::addBag(const PropertyBag& from, PropertyBag& to, unsigned depth) {
@@ -162,16 +172,43 @@ void Copied::addBag(const PropertyBag& from, PropertyBag& to, unsigned depth) {
         if (inner && myInner)
             addBag(inner->rvalue(), myInner->value(), depth + 1);
         else
-            leaves_.emplace_back(property->getDataSource(), mine->getDataSource());
+            leaves_.push_back({property->getDataSource(), mine->getDataSource(), 0, 0});
     }
 }
 
-void Copied::fill() {
-    for (const auto& [original, copy] : leaves_)
-        if (copy && original) original->evaluate(), (void)copy->update(original.get());
-    if (!copy_ || !leaves_.empty() || bagIn(copy_)) return;
-    original_->evaluate();
-    if (!copy_->update(original_.get())) copy_ = nullptr;
+bool Copied::fill(Leaf& leaf) const {
+    if (!leaf.original || !leaf.copy) return true;
+    leaf.original->evaluate();
+    leaf.wanted = lengthOf(*leaf.original);
+    if (leaf.wanted > leaf.room && !allocates_) return false;
+    leaf.done = leaf.copy->update(leaf.original.get());
+    return true;
+}
+
+bool Copied::fill() {
+    bool all = true;
+    for (Leaf& leaf : leaves_) all = fill(leaf) && all;
+    const bool cannot = all && !leaves_.empty() && leaves_[0].copy == copy_ && !leaves_[0].done;
+    if (cannot) isCopied_ = false;
+    return all;
+}
+
+void Copied::take(Leaf& leaf, std::size_t room) {
+    if (room <= leaf.room) return;
+    if (auto* const text = AssignableDataSource<std::string>::narrow(leaf.copy.get())) text->set().reserve(room);
+    if (auto* const all = AssignableDataSource<std::vector<double>>::narrow(leaf.copy.get())) all->set().reserve(room);
+    if (auto* const all = AssignableDataSource<std::vector<int>>::narrow(leaf.copy.get())) all->set().reserve(room);
+    leaf.room = room;
+}
+
+void Copied::grow() {
+    for (Leaf& leaf : leaves_) take(leaf, leaf.wanted);
+}
+
+void Copied::growFor(const Source& value) {
+    if (!value || leaves_.empty() || leaves_[0].copy != copy_) return;
+    value->evaluate();
+    take(leaves_[0], lengthOf(*value));
 }
 
 std::string typeOf(const Source& value) { return value ? console::dotted(value->getTypeName()) : "unknown_t"; }

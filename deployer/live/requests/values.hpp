@@ -29,14 +29,29 @@ class Copied {
 public:
     explicit Copied(const Source& original);
 
-    /** In the thread of the component; allocates only what the type does. */
-    void fill();
+    /** In the thread of the component. Allocates only what the type does, nothing for a text or a vector of numbers:
+        one that needs more memory than the copy has is left out, and this is false. Then grow() and try again. */
+    bool fill();
+    /** Takes the memory that fill() wanted, or that a value such as this one needs. */
+    void grow();
+    void growFor(const Source& value);
+    /** fill() allocates what it needs from now on. */
+    void mayAllocate() { allocates_ = true; }
     /** The copy; for a bag a new one, whose properties are copies. Null for a type of which there are no copies. */
-    const Source& value() const { return copy_; }
+    Source value() const { return isCopied_ ? copy_ : Source(); }
 
 private:
+    struct Leaf {
+        Source original, copy;
+        std::size_t room, wanted;  ///< letters or elements
+        bool done = false;
+    };
+    static void take(Leaf& leaf, std::size_t room);
+    bool fill(Leaf& leaf) const;
+
     Source original_, copy_;
-    std::vector<std::pair<Source, Source>> leaves_;  // of a bag: originals and copies
+    std::vector<Leaf> leaves_;  // one; of a bag: its properties
+    bool allocates_ = false, isCopied_ = true;
     void addBag(const RTT::PropertyBag& from, RTT::PropertyBag& to, unsigned depth);
 };
 

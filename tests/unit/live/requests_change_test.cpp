@@ -3,6 +3,8 @@
 // Changing a deployment: set, call, lifecycle, stop.
 #include "requests_fixture.hpp"
 
+#include <support/real_time_trap.hpp>
+
 #include <live/requests/component_thread.hpp>
 #include <live/requests/failure.hpp>
 
@@ -13,6 +15,7 @@
 namespace live_test {
 namespace {
 
+using oroforge::test::RealTimeTrap;
 using testing::HasSubstr;
 using testing::StartsWith;
 
@@ -289,6 +292,53 @@ TEST_F(RequestsTest, AClientHasSoManyRequestsUnderWayAndHoldsUpNoOther) {
     EXPECT_EQ(2.5, result("get", {{"path", "Arm.gain"}})["value"]);
     arm->release();
     for (std::size_t i = 0; i + 1 != all.size(); ++i) (void)all[i].get();
+}
+
+/** Its thread must not allocate while `watches` is true. */
+class Careful : public Arm {
+public:
+    Careful() : Arm("Careful") {
+        label = std::string(200, 'a');
+        list.assign(100, 1);
+    }
+    ~Careful() override { stopForGood(); }
+    void updateHook() override {
+        if (watches == (trap != nullptr)) return;
+        if (watches) {
+            trap = std::make_unique<RealTimeTrap>(RealTimeTrap::kAllocation | RealTimeTrap::kRelease);
+        } else {
+            trap->stop();
+            trap->forgive();
+            calls = trap->caught() != 0 ? trap->report() : "";
+            trap.reset();
+        }
+        isWatched = watches.load();
+    }
+    void watch(bool on) {
+        watches = on;
+        while (isWatched != on) trigger(), std::this_thread::yield();
+    }
+    std::atomic<bool> watches{false}, isWatched{false};
+    std::unique_ptr<RealTimeTrap> trap;
+    std::string calls;
+};
+
+TEST_F(RequestsTest, TextsAndVectorsAreSetAndReadWithoutAllocationInTheThreadOfTheComponent) {
+    OROFORGE_NEEDS_REAL_TIME_TRAP();
+    Careful careful;
+    deployer->addPeer(&careful);
+    const std::string text(150, 'b');
+    const std::vector<double> numbers(80, 2.5);
+    ASSERT_TRUE(careful.start());
+    careful.watch(true);
+    EXPECT_EQ(text, result("set", {{"path", "Careful.label"}, {"value", text}})["value"]);
+    EXPECT_EQ(json(numbers), result("set", {{"path", "Careful.list"}, {"value", numbers}})["value"]);
+    EXPECT_EQ(text, result("get", {{"path", "Careful.label"}})["value"]);
+    EXPECT_EQ("short", result("set", {{"path", "Careful.label"}, {"text", "\"short\""}})["value"]);
+    EXPECT_EQ("component", result("show", {{"path", "Careful"}})["kind"]);
+    careful.watch(false);
+    EXPECT_EQ("", careful.calls);
+    EXPECT_EQ(numbers, careful.list);
 }
 
 }  // namespace
