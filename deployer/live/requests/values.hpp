@@ -29,8 +29,9 @@ class Copied {
 public:
     explicit Copied(const Source& original);
 
-    /** In the thread of the component. Allocates only what the type does, and nothing for a text or a vector of numbers:
-        one that needs more memory than the copy has is left out, and this is false. Then grow() and try again. */
+    /** In the thread of the component. Allocates only what the type does, and nothing for a text or a vector of
+        numbers: one that needs more memory than the copy has is left out, and this is false. Then grow() and try
+        again. */
     bool fill();
     /** Takes the memory that fill() wanted, or that a value such as this one needs. */
     void grow();
