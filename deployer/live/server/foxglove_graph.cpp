@@ -40,7 +40,6 @@ json FoxgloveGraph::update(const FoxgloveModel& model, const json& connections) 
         now.writers_[topicOf(path)].insert(componentOf(path));
         now.readers_[topicOf(path)];  // a topic that loses its last reader changes, too
     }
-    for (const std::string& path : model.operations()) now.offerers_[topicOf(path)].insert(componentOf(path));
     for (const json& one : connections) {
         const std::string from = one.value("from", ""), to = one.value("to", ""), topic = topicOf(from);
         if (to == PortWatch::kName) continue;  // a client, perhaps this one
@@ -50,9 +49,9 @@ json FoxgloveGraph::update(const FoxgloveModel& model, const json& connections) 
     json made = {{"op", "connectionGraphUpdate"},
                  {"publishedTopics", changed(writers_, now.writers_, "publisherIds")},
                  {"subscribedTopics", changed(readers_, now.readers_, "subscriberIds")},
-                 {"advertisedServices", changed(offerers_, now.offerers_, "providerIds")},
+                 {"advertisedServices", json::array()},
                  {"removedTopics", gone(writers_, now.writers_)},
-                 {"removedServices", gone(offerers_, now.offerers_)}};
+                 {"removedServices", json::array()}};
     *this = std::move(now);
     for (const json& part : made)
         if (part.is_array() && !part.empty()) return made;

@@ -13,7 +13,8 @@
 
 namespace OCL::live {
 
-/** Which component writes and reads which topic, and offers which service, as a client of Foxglove knows it. */
+/** Which component writes and reads which topic, as a client of Foxglove knows it. Without services: the deployer has
+    some seventy, among which nobody would find a topic. */
 class FoxgloveGraph {
 public:
     /** The message that tells the client about what has changed; null if nothing has. `connections` as in the answer
@@ -23,8 +24,8 @@ public:
     void forget() { *this = {}; }
 
 private:
-    typedef std::map<std::string, std::set<std::string>> Components;  // by topic or service
-    Components writers_, readers_, offerers_;
+    typedef std::map<std::string, std::set<std::string>> Components;  // by topic
+    Components writers_, readers_;
 };
 
 }  // namespace OCL::live

@@ -31,6 +31,7 @@ void FoxgloveModel::addPaths(const json& node, const std::string& path, std::set
 }
 
 void FoxgloveModel::onTree(const json& components) {
+    hasTree_ = true;
     std::set<std::string> present;
     for (json node : components) {
         const std::string name = node.value("name", "");
@@ -42,8 +43,10 @@ void FoxgloveModel::onTree(const json& components) {
         std::string& known = nodes_[name];
         if (known == text) continue;
         known = text;
+        underWay_ += paths.size();
         for (const std::string& path : paths)
             client_.ask({{"op", "oro.show"}, {"id", 0}, {"path", path}}, [this, path](LiveClient&, const json& answer) {
+                --underWay_;
                 if (answer.count("result") != 0) onShown(path, answer["result"]);
             });
     }
@@ -134,13 +137,6 @@ std::vector<std::string> FoxgloveModel::outputs() const {
     std::vector<std::string> paths;
     for (const auto& [name, owner] : owners_)
         for (const Channel& channel : owner.channels) paths.push_back(channel.path);
-    return paths;
-}
-
-std::vector<std::string> FoxgloveModel::operations() const {
-    std::vector<std::string> paths;
-    for (const auto& [name, owner] : owners_)
-        for (const Service& service : owner.services) paths.push_back(service.path);
     return paths;
 }
 

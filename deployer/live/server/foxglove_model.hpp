@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <set>
@@ -31,13 +32,14 @@ public:
 
     /** Asks what there is, and tells the client what has changed since the last time. */
     void poll();
+    /** False until all that there was at the first poll() has been shown. */
+    bool isKnown() const { return hasTree_ && underWay_ == 0; }
     const Channel* channel(std::uint32_t id) const;
     const Service* service(std::uint32_t id) const;
     /** The components and services with properties. */
     std::vector<std::string> owners() const;
-    /** The paths of the ports that are channels, and of the operations that are services. */
+    /** The paths of the ports that are channels. */
     std::vector<std::string> outputs() const;
-    std::vector<std::string> operations() const;
 
 private:
     struct Owner {
@@ -56,7 +58,9 @@ private:
     std::map<std::string, std::string> nodes_;  // what the tree says of each component, without its state
     std::map<std::string, Owner> owners_;       // by path
     std::set<std::string> refused_;             // ports that have no form, and whose client knows that
-    std::uint32_t lastId_ = 1;                  // 1 is the log
+    bool hasTree_ = false;
+    std::size_t underWay_ = 0;  // questions
+    std::uint32_t lastId_ = 1;  // 1 is the log
 };
 
 /** "/Arm/pose" */

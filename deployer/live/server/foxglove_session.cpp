@@ -21,7 +21,7 @@ using nlohmann::json;
 
 constexpr std::int64_t kPoll = 1000000000, kTimes = 100000000, kTimeStep = 1000000, kClockJump = 1000000000;  // ns
 constexpr unsigned kPollPeriod = 250, kBuffer = 128, kMostAtOnce = 2000;
-constexpr std::size_t kMostSubscriptions = 1024;
+constexpr std::size_t kMostSubscriptions = 1024, kMostWaiting = 16;
 
 std::vector<json> listOf(const json& message, const char* name) {
     const auto found = message.find(name);
@@ -117,6 +117,8 @@ unsigned FoxgloveSession::wantedPeriod() const {
 
 void FoxgloveSession::onTick(std::int64_t now) {
     sendSamples(now);
+    if (!waiting_.empty() && model_.isKnown())
+        for (Use& use : std::exchange(waiting_, {})) collectAll(std::move(use));
     if (now >= nextTime_) sendTime(wallTime(), now);
     // A client that does not read must not collect answers that it has not asked for.
     if (now < nextPoll_ || client_.isFull()) return;
@@ -174,6 +176,7 @@ struct FoxgloveSession::Collection {
 };
 
 void FoxgloveSession::collectAll(Use use) {
+    if (!model_.isKnown() && waiting_.size() < kMostWaiting) return waiting_.push_back(std::move(use));
     collect(std::make_shared<Collection>(Collection{model_.owners(), {}, std::move(use)}));
 }
 

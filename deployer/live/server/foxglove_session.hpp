@@ -75,6 +75,7 @@ private:
     Parameters lastValues_;  // of those
     bool wantsGraph_ = false, isUpdating_ = false;
     FoxgloveGraph graph_;
+    std::vector<Use> waiting_;  // for parameters, until the model knows its components
     std::int64_t nextPoll_ = 0, nextTime_ = 0;
     std::int64_t lastTime_ = 0;  // that the client knows, ns since 1970
 };

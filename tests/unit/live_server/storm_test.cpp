@@ -272,6 +272,7 @@ TEST_F(LiveServer, FoxgloveGetsChannelsOfComponentsThatComeAndGo) {
     auto source = makeSource("Source");
     RawClient fox = client();
     ASSERT_TRUE(fox.open("foxglove.sdk.v1"));
+    ASSERT_TRUE(fox.say({{"op", "getParameters"}, {"parameterNames", json::array()}, {"id", "early"}}));
     EXPECT_EQ("serverInfo", fox.hear().value("op", ""));
     // Foxglove takes the time that it has at the first channel for the start of the data.
     const json time = fox.hear();
@@ -290,10 +291,14 @@ TEST_F(LiveServer, FoxgloveGetsChannelsOfComponentsThatComeAndGo) {
         return time;
     };
     std::int64_t shown = 0;  // Foxglove shows a sample at the time that it was sent last
-    for (int samples = 0; samples != 20;) {
+    json parameters;         // these were asked for before the components were known
+    for (int samples = 0; samples < 20 || parameters.is_null();) {
         const json message = fox.hear();
         ASSERT_FALSE(message.is_null());
-        if (!message.is_string()) continue;
+        if (!message.is_string()) {
+            if (message.value("op", "") == "parameterValues") parameters = message;
+            continue;
+        }
         const auto bytes = message.get<std::string>();
         if (bytes[0] == 2) {
             EXPECT_GT(timeAt(bytes, 1), shown);
@@ -306,6 +311,7 @@ TEST_F(LiveServer, FoxgloveGetsChannelsOfComponentsThatComeAndGo) {
         EXPECT_GT(timeAt(bytes, 5) - shown, -1000000000);
         ++samples;
     }
+    EXPECT_EQ("Source.gain", parameters.value("/parameters/0/name"_json_pointer, "")) << parameters;
     // The graph has the topics that are not read, and not the live window, which reads one.
     ASSERT_TRUE(fox.say({{"op", "subscribeConnectionGraph"}}));
     json graph = fox.hear("connectionGraphUpdate");
