@@ -133,7 +133,7 @@ class Interrupts(Case):
             seen = None
             while seen != program.screen():
                 seen = program.screen()
-                time.sleep(0.2)
+                time.sleep(0.5)
         program.send("1 + 1\r")  # some of them may be keys of the prompts meanwhile
         program.wait_for("\n = 2\n" + PROMPT.rstrip())
 

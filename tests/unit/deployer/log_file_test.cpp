@@ -28,10 +28,11 @@ protected:
     }
     std::string log() const { return readFile(directory_ / "orocos.log"); }
 
-    /** Until a deployer has begun to write it. */
-    bool waitForLog() const {
+    /** Until a deployer that writes it catches signals, as it does before it has a thread. */
+    bool waitForLog(const std::string& name = "orocos.log") const {
         for (int times = 0; times != 400; ++times, std::this_thread::sleep_for(std::chrono::milliseconds(25)))
-            if (std::filesystem::exists(directory_ / "orocos.log") && count(log(), "reference time is") != 0)
+            if (std::filesystem::exists(directory_ / name) &&
+                count(readFile(directory_ / name), "creating thread") != 0)
                 return true;
         return false;
     }
@@ -47,13 +48,12 @@ TEST_F(LogFileOfDeployers, EachHasItsOwn) {
     ChildProcess first(lasting({"First"}));
     ASSERT_TRUE(waitForLog());
     ChildProcess second(lasting({"Second"}));
-    const std::string own = directory_ / ("orocos-" + std::to_string(second.pid()) + ".log");
-    for (int times = 0; times != 400 && !std::filesystem::exists(own); ++times)
-        std::this_thread::sleep_for(std::chrono::milliseconds(25));
+    const std::string own = "orocos-" + std::to_string(second.pid()) + ".log";
+    ASSERT_TRUE(waitForLog(own));
     second.send(SIGTERM);
     (void)second.finish();
-    EXPECT_THAT(readFile(own), HasSubstr("log file 'orocos.log' is being written by another process"));
-    EXPECT_EQ(1, count(readFile(own), "logging ends"));
+    EXPECT_THAT(readFile(directory_ / own), HasSubstr("log file 'orocos.log' is being written by another process"));
+    EXPECT_EQ(1, count(readFile(directory_ / own), "logging ends"));
     EXPECT_EQ(1, count(log(), "logging starts at level"));
     EXPECT_EQ(0, count(log(), "logging ends"));
     first.send(SIGTERM);
