@@ -25,12 +25,15 @@
 #include <dlfcn.h>
 #include <gmock/gmock.h>
 
+#include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
 #include <set>
 #include <sstream>
+#include <vector>
 
 namespace {
 
@@ -261,13 +264,29 @@ TEST_F(RecordedValues, OfACutOrDamagedFileAreReadUpToThere) {
     EXPECT_THAT(all.out, HasSubstr("\"gaps\":0,\"ordered\":true"));
 }
 
+constexpr std::size_t kChunkHead = 60;  // more than what stands in front of the messages of a chunk
+
+/** Where the chunks of a file begin. */
+std::vector<std::size_t> chunksIn(const std::string& bytes) {
+    std::vector<std::size_t> found;
+    std::uint64_t length = 0;
+    for (std::size_t at = 8; at + 9 <= bytes.size(); at += 9 + length) {
+        if (bytes[at] == 6) found.push_back(at);
+        std::memcpy(&length, bytes.data() + at + 1, sizeof length);
+    }
+    return found;
+}
+
 TEST_F(RecordedValues, OfASalvagedFileAreReadByItsIndex) {
     for (const char* const compression : {"none", "lz4", "zstd"}) {
         SCOPED_TRACE(compression);
         const std::size_t messages = record(compression, "auto");
         std::string bytes = readFile(directory / "run.mcap");
-        bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
-        bytes.resize(bytes.size() * 3 / 4);
+        const std::vector<std::size_t> chunks = chunksIn(bytes);
+        ASSERT_GT(chunks.size(), 2U);
+        char& damaged = bytes[chunks[chunks.size() / 2] + kChunkHead];
+        damaged = static_cast<char>(damaged ^ 1);
+        bytes.resize(chunks.back() + kChunkHead);
         oroforge::mcap::MemorySource source(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
         oroforge::mcap::MemorySink sink;
         const oroforge::mcap::Salvaged salvaged = oroforge::mcap::salvage(source, sink);
