@@ -14,7 +14,7 @@
 namespace OCL::live {
 
 /** Which component writes and reads which topic, as a client of Foxglove knows it. Without services: the deployer has
-    some seventy, among which nobody would find a topic. */
+    some seventy, which would hide the topics. */
 class FoxgloveGraph {
 public:
     /** The message that tells the client about what has changed; null if nothing has. `connections` as in the answer

@@ -130,7 +130,7 @@ void FoxgloveSession::onTick(std::int64_t now) {
     if (wantsGraph_) updateGraph();
 }
 
-/** Foxglove shows a sample at the time that it was sent last, so each millisecond of samples has its own. */
+/** Foxglove shows a sample at the latest time message, so each millisecond of samples has one. */
 void FoxgloveSession::sendSamples(std::int64_t now) {
     std::vector<Sample> samples;
     for (auto& [id, subscription] : subscriptions_) readAll(id, subscription, samples);

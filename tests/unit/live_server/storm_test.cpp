@@ -290,7 +290,7 @@ TEST_F(LiveServer, FoxgloveGetsChannelsOfComponentsThatComeAndGo) {
         std::memcpy(&time, bytes.data() + at, sizeof time);
         return time;
     };
-    std::int64_t shown = 0;  // Foxglove shows a sample at the time that it was sent last
+    std::int64_t shown = 0;  // Foxglove shows a sample at the latest time message
     json parameters;         // these were asked for before the components were known
     for (int samples = 0; samples < 20 || parameters.is_null();) {
         const json message = fox.hear();
