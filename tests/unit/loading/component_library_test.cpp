@@ -19,6 +19,7 @@
 namespace {
 
 using loading_test::fileOf;
+using loading_test::isMapped;
 using loading_test::kPath;
 using loading_test::kTarget;
 using oroforge::test::TempDir;
@@ -27,13 +28,6 @@ using testing::Contains;
 using testing::HasSubstr;
 using testing::IsSupersetOf;
 using testing::Not;
-
-/** The process has the file loaded, whoever asked for it. */
-bool isMapped(const std::string& file) {
-    void* const handle = dlopen(file.c_str(), RTLD_LAZY | RTLD_NOLOAD);
-    if (handle) dlclose(handle);
-    return handle != nullptr;
-}
 
 class ComponentLibraries : public loading_test::ComponentLoaderTest {
 protected:

@@ -10,8 +10,6 @@
 
 #include <gmock/gmock.h>
 
-#include <dlfcn.h>
-
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -22,6 +20,7 @@
 namespace {
 
 using loading_test::fileOf;
+using loading_test::isMapped;
 using oroforge::test::TempDir;
 using testing::AllOf;
 using testing::Contains;
@@ -29,12 +28,6 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::IsSupersetOf;
 using testing::Not;
-
-bool isMapped(const std::string& file) {
-    void* const handle = dlopen(file.c_str(), RTLD_LAZY | RTLD_NOLOAD);
-    if (handle) dlclose(handle);
-    return handle != nullptr;
-}
 
 /** Has copies of the test libraries, which no other test has loaded. */
 class DeferredLibraries : public loading_test::ComponentLoaderTest {

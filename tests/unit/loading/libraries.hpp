@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <dlfcn.h>
 #include <string>
 
 namespace loading_test {
@@ -18,6 +19,13 @@ inline const std::string kTarget = kPath + "/" OROCOS_TARGET_NAME;
 
 inline std::string fileOf(const std::string& directory, const std::string& name) {
     return kTarget + "/" + directory + "/lib" + name + "-" OROCOS_TARGET_NAME ".so";
+}
+
+/** The process has the file loaded, whichever loader asked for it. */
+inline bool isMapped(const std::string& file) {
+    void* const handle = dlopen(file.c_str(), RTLD_LAZY | RTLD_NOLOAD);
+    if (handle) dlclose(handle);
+    return handle != nullptr;
 }
 
 class ComponentLoaderTest : public testing::Test {
