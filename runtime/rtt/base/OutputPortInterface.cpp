@@ -66,17 +66,33 @@ WriteStatus OutputPortInterface::writeSample(const void* sample) {
     else if (has_last_.load(std::memory_order_relaxed))
         has_last_.store(false, std::memory_order_relaxed);
 
-    DeadChannels dead;
-    WriteStatus worst;
     {
         const Reclaimer::Guard guard;
         const ChannelArray* channels = channels_.load(std::memory_order_acquire);
         if (!channels) return NotConnected;
-        worst = writeToAll(*channels, sample, dead);
+        if (__builtin_expect(channels->size == 1, 1)) {
+            const ChannelArray::Entry& only = *channels->begin();
+            const WriteStatus status = only.write(sample);
+            if (__builtin_expect(status == WriteSuccess, 1)) return WriteSuccess;
+            if (status != NotConnected) return only.mandatory ? status : WriteSuccess;
+        }
     }
-    return __builtin_expect(dead.empty(), 1) ? worst : dropDead(dead, worst);
+    // A function of its own: its list would cost the usual write, above, a check of the stack.
+    const auto toAll = [ this, sample ]() __attribute__((noinline)) {
+        DeadChannels dead;
+        WriteStatus worst;
+        {
+            const Reclaimer::Guard guard;
+            const ChannelArray* channels = channels_.load(std::memory_order_acquire);
+            if (!channels) return NotConnected;
+            worst = writeToAll(*channels, sample, dead);
+        }
+        return __builtin_expect(dead.empty(), 1) ? worst : dropDead(dead, worst);
+    };
+    return toAll();
 }
 
+/** For several channels, or a broken one. */
 inline WriteStatus OutputPortInterface::writeToAll(const ChannelArray& channels, const void* sample,
                                                    DeadChannels& dead) {
     WriteStatus worst = WriteSuccess;
