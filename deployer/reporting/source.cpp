@@ -27,14 +27,18 @@ Source::Source(const std::string& component, std::string path, Value original, V
 void Source::prepare() {
     if (!link_) {
         (void)read();
-    } else if (link_->read(address_) == RTT::NoData) {
+    } else if (!read() && !hasSample_) {
         for (const auto& connection : port_->getManager()->getConnections())
             if (boost::get<1>(connection)->getSampleErased(address_)) break;
     }
 }
 
 bool Source::read() {
-    if (link_) return link_->read(address_) == RTT::NewData;
+    if (link_) {
+        const RTT::FlowStatus status = link_->read(address_);
+        hasSample_ = hasSample_ || status != RTT::NoData;
+        return status == RTT::NewData;
+    }
     (void)sample_->update(original_.get());
     return false;
 }

@@ -38,8 +38,8 @@ public:
     const std::string& description() const { return description_; }
     void describe(const std::string& text) { description_ = text; }
 
-    /** Must be called before read(). If a port has no sample yet, its value gets the size that the writer set by
-        setDataSample(). */
+    /** Must be called before read(). If a port never had a sample, its value gets the size that the writer set by
+        setDataSample(); a report that starts again begins with the last sample that was read. */
     void prepare();
     /** Copies the present value; true if it is a new sample of a port. Real-time safe if copying the value is. Called
         by one thread at a time. */
@@ -54,7 +54,8 @@ private:
     const std::unique_ptr<RTT::internal::PortLink> link_;  // reads without looking the type up each time
     const Value original_;
     const Value sample_;
-    void* const address_;  // the address of the sample
+    void* const address_;     // the address of the sample
+    bool hasSample_ = false;  // sample_ is from the port; clear() leaves it so
 };
 
 }  // namespace OCL::reporting

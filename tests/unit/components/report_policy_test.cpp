@@ -47,6 +47,17 @@ TEST_F(ReportPolicy, SamplesFromBeforeTheStartGiveNoRow) {
     EXPECT_EQ(" TimeStamp Machine.speed\n", report());
 }
 
+TEST_F(ReportPolicy, TheNextReportBeginsWithTheLastSampleOfThisOne) {
+    machine.speed.setDataSample(0.5);
+    ASSERT_TRUE(reporter->reportPort("Machine", "speed"));
+    machine.speed.write(1);
+    ASSERT_TRUE(reporter->start());
+    EXPECT_EQ(" TimeStamp Machine.speed\n 0 1 \n", report());
+    text.str("");
+    ASSERT_TRUE(reporter->start());
+    EXPECT_EQ(" TimeStamp Machine.speed\n 0 1 \n", report());
+}
+
 TEST_F(ReportPolicy, InSnapshotModeOnlySnapshotWrites) {
     property<bool>("Snapshot") = true;
     reportOnData();
