@@ -3,6 +3,7 @@
 #ifndef ORO_OCL_CATEGORY_STREAM_HPP
 #define ORO_OCL_CATEGORY_STREAM_HPP
 
+#include <log4cpp/CategoryStream.hh>
 #include <log4cpp/Priority.hh>
 #include <ocl/OCL.hpp>
 #include <rtt/rt_string.hpp>
@@ -45,7 +46,10 @@ public:
     template <class T>
     CategoryStream& operator<<(const T& value) {
         if (!isOn()) return *this;
-        if constexpr (std::is_convertible_v<const T&, std::string_view> || std::is_same_v<T, char>) {
+        // log4cpp::eol. Not an operator of its own, which would make `eol` ambiguous where both namespaces are used.
+        if constexpr (std::is_same_v<T, log4cpp::CategoryStream&(log4cpp::CategoryStream&)>) {
+            flush();
+        } else if constexpr (std::is_convertible_v<const T&, std::string_view> || std::is_same_v<T, char>) {
             if (stream_)
                 *stream_ << value;
             else if constexpr (std::is_same_v<T, char>)

@@ -193,6 +193,8 @@ TEST_F(Categories, StreamsComposeOneMessage) {
     to.getRTStream(Priority::INFO) << "one" << OCL::logging::flush << "two" << OCL::logging::eol << "three"
                                    << std::endl;
     EXPECT_THAT(listener.messages(), ElementsAre("one", "two", "three"));
+    to.getRTStream(Priority::INFO) << "one" << log4cpp::eol << "two";
+    EXPECT_THAT(listener.messages(), ElementsAre("one", "two"));
     to.getRTStream(Priority::INFO) << std::hex << 255 << ' ' << std::setw(4) << 1 << ' ' << 1.5 << 'x' << text;
     EXPECT_THAT(listener.messages(), ElementsAre("ff    1 1.5xtext"));
     to.getRTStream(Priority::INFO);
