@@ -59,6 +59,20 @@ struct Appender::Impl {
             append(self, given);
         }
     }
+    /** Tells the most events of a cycle. */
+    void appendMost(Appender& self) {
+        LoggingEvent most;
+        try {
+            most.categoryName = "OCL.logging.Appender";
+        } catch (const std::bad_alloc&) {
+            // The line does without.
+        }
+        const std::string text = "# countMaxPopped=" + std::to_string(self.countMaxPopped);
+        most.setMessage(text.data(), text.size());
+        most.priority = log4cpp::Priority::DEBUG;
+        most.setOrigin();
+        append(self, most.toLog4cpp());
+    }
     /** `empty`: no more events may come for long, so what was dropped is looked up now. */
     void endCycle(bool final, bool empty = true) {
         if (lines) lines->flush();
@@ -163,16 +177,14 @@ void Appender::processEvents(int n) {
 void Appender::drainBuffer() {
     if (!appender) return;
     const auto end = std::chrono::steady_clock::now() + kMostTimeToDrain;
-    while (log_port.read(impl_->event, false) == RTT::NewData && std::chrono::steady_clock::now() < end)
+    // The time first: what was read must be written.
+    while (std::chrono::steady_clock::now() < end && log_port.read(impl_->event, false) == RTT::NewData)
         impl_->append(*this);
 }
 
 void Appender::stopHook() {
     drainBuffer();
-    if (appender)
-        impl_->append(
-            *this, log4cpp::LoggingEvent("OCL.logging.Appender", "# countMaxPopped=" + std::to_string(countMaxPopped),
-                                         "", log4cpp::Priority::DEBUG));
+    if (appender) impl_->appendMost(*this);
     impl_->endCycle(true);
     if (impl_->lines) impl_->lines->reportLost();
 }

@@ -38,6 +38,18 @@ TEST_F(Appenders, FileGetsALineForEachEventAndTheMostOfACycleAtTheEnd) {
     EXPECT_THAT(text(), HasSubstr("INFO " + name + " four\n"));
 }
 
+TEST_F(Appenders, TheLastLineNamesItsThreadAsAllOthersDo) {
+    Stepped<OCL::logging::FileAppender> file;
+    prepare(file);
+    file.layout("pattern", "%t %p%n");
+    begin(file);
+    log("one");
+    file.stop();
+    const std::vector<std::string> lines = linesOf(text());
+    ASSERT_EQ(2u, lines.size());
+    EXPECT_EQ(lines[0].substr(0, lines[0].find(' ')) + " DEBUG", lines[1]);
+}
+
 TEST_F(Appenders, MaxEventsPerCycleLimitsACycle) {
     Stepped<OCL::logging::FileAppender> file;
     prepare(file, 2);
