@@ -48,7 +48,7 @@ DataSourceBase::shared_ptr placeFor(const RTT::types::TypeInfo* type, const std:
 
 std::shared_ptr<Source> sourceOf(TaskContext& peer, const std::string& component, const std::string& path,
                                  const DataSourceBase::shared_ptr& value, const DataSourceBase::shared_ptr& sample) {
-    auto source = std::make_shared<Source>(component, path, value, sample);
+    auto source = std::make_shared<Source>(component, path, value, peer.engine()->gate(), sample);
     if (const RTT::base::PropertyBase* const property = peer.provides()->getProperty(path))
         source->describe(property->getDescription());
     return source;

@@ -16,11 +16,12 @@ Source::Source(const std::string& component, std::string path, std::unique_ptr<R
       sample_(std::move(sample)),
       address_(sample_->getRawPointer()) {}
 
-Source::Source(const std::string& component, std::string path, Value original, Value sample)
+Source::Source(const std::string& component, std::string path, Value original, Gate peer, Value sample)
     : component_(component),
       path_(std::move(path)),
       name_(component_ + "." + path_),
       original_(std::move(original)),
+      peer_(std::move(peer)),
       sample_(std::move(sample)),
       address_(sample_->getRawPointer()) {}
 
@@ -39,7 +40,9 @@ bool Source::read() {
         hasSample_ = hasSample_ || status != RTT::NoData;
         return status == RTT::NewData;
     }
-    (void)sample_->update(original_.get());
+    // The value may lie within the peer.
+    const RTT::internal::EngineGate::Visit peer(*peer_);
+    if (peer.engine()) (void)sample_->update(original_.get());
     return false;
 }
 

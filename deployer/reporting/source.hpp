@@ -5,6 +5,7 @@
 
 #include <rtt/base/DataSourceBase.hpp>
 #include <rtt/base/InputPortInterface.hpp>
+#include <rtt/internal/engine/engine_gate.hpp>
 #include <rtt/internal/flow/port_sources.hpp>
 
 #include <memory>
@@ -20,8 +21,9 @@ public:
     /** An output of a peer, which is connected to `port`. */
     Source(const std::string& component, std::string path, std::unique_ptr<RTT::base::InputPortInterface> port,
            Value sample);
-    /** A value of a peer, which must live as long as this. */
-    Source(const std::string& component, std::string path, Value original, Value sample);
+    typedef boost::intrusive_ptr<const RTT::internal::EngineGate> Gate;
+    /** A value of a peer, which has that gate. Once the peer is gone, the last value stays. */
+    Source(const std::string& component, std::string path, Value original, Gate peer, Value sample);
 
     /** "Component.service.port" */
     const std::string& name() const { return name_; }
@@ -53,6 +55,7 @@ private:
     const std::unique_ptr<RTT::base::InputPortInterface> port_;
     const std::unique_ptr<RTT::internal::PortLink> link_;  // reads without looking the type up each time
     const Value original_;
+    const Gate peer_;
     const Value sample_;
     void* const address_;     // the address of the sample
     bool hasSample_ = false;  // sample_ is from the port; clear() leaves it so

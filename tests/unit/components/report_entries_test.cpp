@@ -3,6 +3,8 @@
 // What is reported, and what is said if it cannot be.
 #include "reporter_fixture.hpp"
 
+#include <thread>
+
 namespace {
 
 using namespace components_test;
@@ -298,6 +300,23 @@ TEST_F(ReportEntries, ValuesAreLookedForAgainAtEachStart) {
     text.str("");
     ASSERT_TRUE(reporter->start());
     EXPECT_EQ(" TimeStamp Other.gone Machine.gain\n 0 1 1.5 \n", report());
+}
+
+TEST_F(ReportEntries, ValuesOfAPeerThatIsBeingDestroyedAreNotRead) {
+    auto other = std::make_unique<RTT::TaskContext>("Other");
+    double level = 1;
+    other->addAttribute("level", level);
+    reporter->addPeer(other.get());
+    ASSERT_TRUE(reporter->reportData("Other", "level"));
+    ASSERT_TRUE(reporter->start());
+    level = 2;
+    cycle();
+    std::thread([&other] { (void)other->stopForGood(); }).join();
+    level = 3;  // what a destructor leaves
+    cycle();
+    other.reset();
+    cycle();
+    EXPECT_EQ(" TimeStamp Other.level\n 0 1 \n 0.5 2 \n 1 2 \n 1.5 2 \n", report());
 }
 
 TEST_F(ReportEntries, ReportPolicyDecidesHowPortsAreConnected) {
