@@ -86,6 +86,53 @@ std::vector<ComponentRecord*> slavesOf(Session& session, const std::string& mast
     return slaves;
 }
 
+/** A slave while its master has no activity for it. */
+struct Released {
+    RTT::TaskContext* slave;
+    RTT::TaskContext* master;
+    bool wasRunning;
+};
+
+/** A slave refers to the activity of its master, so none may exist while that is exchanged: gives the slaves of the
+    component, and theirs, another one, the innermost first. Those that run are stopped. */
+bool release(Session& session, RTT::TaskContext& master, std::vector<Released>& released, std::string& error) {
+    for (const ComponentRecord* record : slavesOf(session, master.getName())) {
+        RTT::TaskContext& slave = *record->instance;
+        if (!release(session, slave, released, error)) return false;
+        std::string reason;
+        const bool wasRunning = slave.isRunning();
+        if (wasRunning) (void)stopOne(slave);
+        if (!setActivity(slave, ActivityKind::Sequential, ActivityNumbers(), nullptr, 0, reason)) {
+            error = "its slave '" + record->name + "' does not let go of the present one: " + reason;
+            if (wasRunning && !slave.isRunning()) (void)slave.start();
+            return false;
+        }
+        released.push_back({&slave, &master, wasRunning});
+    }
+    return true;
+}
+
+/** Makes them slaves again, the outermost first, because the others need their activities. */
+void attach(const std::vector<Released>& released) {
+    for (auto one = released.rbegin(); one != released.rend(); ++one) {
+        std::string reason;
+        if (!setActivity(*one->slave, ActivityKind::Slave, ActivityNumbers(), one->master, 0, reason))
+            RTT::log(RTT::Error) << "component '" << one->slave->getName() << "' is no longer a slave of '"
+                                 << one->master->getName() << "': " << reason << RTT::endlog();
+    }
+    for (const Released& one : released) {
+        if (!one.wasRunning || one.slave->isRunning()) continue;
+        if (one.slave->start())
+            RTT::log(RTT::Info) << "component '" << one.slave->getName()
+                                << "' was stopped and started to exchange the activity of its master '"
+                                << one.master->getName() << "'" << RTT::endlog();
+        else
+            RTT::log(RTT::Error) << "component '" << one.slave->getName()
+                                 << "' was stopped to exchange the activity of its master '" << one.master->getName()
+                                 << "', and does not start again" << RTT::endlog();
+    }
+}
+
 }  // namespace
 
 ActivityNumbers numbersOf(const ActivityPlan& plan) {
@@ -132,25 +179,10 @@ bool changeActivity(Session& session, RTT::TaskContext& component, ActivityKind 
     }
     if (master) error = whyNoMaster(session, component, *master);
     if (!error.empty()) return false;
-    // A slave refers to the activity of its master, so none may exist while that is exchanged.
-    std::vector<RTT::TaskContext*> released;
-    bool changed = true;
-    for (const ComponentRecord* slave : slavesOf(session, component.getName())) {
-        if (!changed) break;
-        std::string reason;
-        changed = setActivity(*slave->instance, ActivityKind::Sequential, ActivityNumbers(), nullptr, 0, reason);
-        if (changed)
-            released.push_back(slave->instance);
-        else
-            error = "its slave '" + slave->name + "' does not let go of the present one: " + reason;
-    }
-    changed = changed && setActivity(component, kind, numbers, master, session.waitPeriodPolicy, error);
-    for (RTT::TaskContext* slave : released) {
-        std::string reason;
-        if (!setActivity(*slave, ActivityKind::Slave, ActivityNumbers(), &component, 0, reason))
-            RTT::log(RTT::Error) << "component '" << slave->getName() << "' is no longer a slave of '"
-                                 << component.getName() << "': " << reason << RTT::endlog();
-    }
+    std::vector<Released> released;
+    const bool changed = release(session, component, released, error) &&
+                         setActivity(component, kind, numbers, master, session.waitPeriodPolicy, error);
+    attach(released);
     if (changed) session.recordOf(component).master = master ? master->getName() : std::string();
     if (changed && master) session.masters.insert(master->getName());
     return changed;
@@ -163,7 +195,8 @@ void releaseSlaves(Session& session, const RTT::TaskContext& master) {
             RTT::log(RTT::Error) << "component '" << slave->name << "' is stopped: its master '" << master.getName()
                                  << "' is being deleted" << RTT::endlog();
         (void)stopOne(*slave->instance);
-        if (setActivity(*slave->instance, ActivityKind::Sequential, ActivityNumbers(), nullptr, 0, error))
+        // It may have slaves itself.
+        if (changeActivity(session, *slave->instance, ActivityKind::Sequential, ActivityNumbers(), nullptr, error))
             RTT::log(RTT::Info) << "component '" << slave->name << "' has lost its master '" << master.getName() << "'"
                                 << RTT::endlog();
         slave->master.clear();

@@ -239,6 +239,28 @@ TEST_F(Deployment, RunningMasterKeepsItsSlavesIfItsActivityIsNotChanged) {
     EXPECT_EQ(before, peer("slave")->getActivity());
 }
 
+TEST_F(Deployment, SlavesOfSlavesAndThoseThatRunGetTheNewActivityOfTheirMaster) {
+    for (const char* name : {"master", "middle", "last"})
+        ASSERT_TRUE(deployer_->loadComponent(name, "deploytest::Consumer"));
+    ASSERT_TRUE(deployer_->setMasterSlaveActivity("middle", "last"));
+    ASSERT_TRUE(deployer_->setMasterSlaveActivity("master", "middle"));
+    ASSERT_TRUE(deployer_->startComponent("middle"));
+    ASSERT_TRUE(deployer_->startComponent("last"));
+    const auto isSlave = [this](const char* name, const char* master) {
+        const auto* const slave = dynamic_cast<RTT::extras::SlaveActivity*>(peer(name)->getActivity());
+        return slave && slave->isSlaveOf(*peer(master)->getActivity());
+    };
+    EXPECT_TRUE(deployer_->setActivity("master", 0.5, 0, ORO_SCHED_OTHER));
+    EXPECT_TRUE(isSlave("middle", "master"));
+    EXPECT_TRUE(isSlave("last", "middle"));
+    EXPECT_DOUBLE_EQ(0.5, peer("last")->getPeriod());
+    EXPECT_TRUE(peer("middle")->isRunning());
+    EXPECT_TRUE(peer("last")->isRunning());
+    EXPECT_TRUE(deployer_->unloadComponent("master"));
+    EXPECT_FALSE(peer("middle")->isRunning());
+    EXPECT_TRUE(isSlave("last", "middle"));
+}
+
 TEST_F(Deployment, MasterMayBeUnloadedBeforeItsSlave) {
     ASSERT_TRUE(deployer_->loadComponent("slave", "deploytest::Consumer"));
     ASSERT_TRUE(deployer_->loadComponent("master", "deploytest::Consumer"));
