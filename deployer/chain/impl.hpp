@@ -9,6 +9,8 @@
 #include "cycles.hpp"
 #include "housekeeper.hpp"
 
+#include <rtt/internal/values/newer_properties.hpp>
+
 #include <map>
 #include <memory>
 #include <mutex>
@@ -53,6 +55,10 @@ struct Impl {
     void cycle();
 
     Chain& chain;
+    /** Files for the function-block scheduler have none of these. */
+    const RTT::internal::NewerProperties newer{*chain.properties(),
+                                               {"on_error", "divider", "dividers", "budget", "budgets",
+                                                "stop_on_overrun", "events", "triggers", "report_every", "manage"}};
     const bool othersFollow;
     Properties properties;
     Cycles cycles;

@@ -8,6 +8,7 @@
 
 #include <ocl/Category.hpp>
 #include <ocl/LoggingService.hpp>
+#include <rtt/internal/values/newer_properties.hpp>
 #include <rtt/PropertyBag.hpp>
 
 #include <memory>
@@ -37,6 +38,8 @@ struct LoggingService::Impl {
     bool hasMemory(const std::string& category) const;
 
     LoggingService& self;
+    /** Files for OCL have none of these. */
+    const RTT::internal::NewerProperties newer{*self.properties(), {"BufferSize", "MessageSize", "RuntimeCategory"}};
     RTT::PropertyBag levels, additivity, appenders;
     int bufferSize = 100;
     int messageSize = 200;

@@ -9,6 +9,7 @@
 #include <rtt/ConnPolicy.hpp>
 #include <rtt/PropertyBag.hpp>
 #include <rtt/base/OutputPortInterface.hpp>
+#include <rtt/internal/values/newer_properties.hpp>
 
 #include <memory>
 #include <mutex>
@@ -60,6 +61,10 @@ struct ReportingComponent::Impl {
     std::unique_ptr<reporting::Report> makeReport(const reporting::Sources& present);
 
     ReportingComponent& self;
+    /** Files for OCL have none of these; some are of derived classes. */
+    const RTT::internal::NewerProperties newer{*self.properties(),
+                                               {"RepeatHeader", "ComplexDecompose", "Precision", "Format", "address",
+                                                "max_clients", "max_line", "max_backlog"}};
 
     // Properties
     bool writeHeader = true;

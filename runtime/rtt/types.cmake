@@ -9,6 +9,7 @@ target_sources(orocos-rtt PRIVATE
   rtt/base/DataSourceBase.cpp
   rtt/base/PropertyBase.cpp
   rtt/internal/DataSources.cpp
+  rtt/internal/values/newer_properties.cpp
   rtt/internal/values/value_place.cpp
   rtt/internal/values/property_paths.cpp
   rtt/internal/values/property_update.cpp

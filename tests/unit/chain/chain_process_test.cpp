@@ -116,6 +116,28 @@ TEST_F(ChainProcess, TheDeployerIsAMaster) {
     for (const char* part : {"slave", "started", "attached again"}) EXPECT_THAT(outcome.out, HasSubstr(part));
 }
 
+TEST_F(ChainProcess, PropertyFilesWrittenForOclAreComplete) {
+    const auto from = [](const char* file) { return simple("PropertyFile", file); };
+    std::string flags;
+    for (const char* name : {"WriteHeader", "Decompose", "Snapshot", "Synchronize", "ReportOnlyNewData"})
+        flags += simple(name, "1", "boolean");
+    const std::map<std::string, std::string> files = {
+        {"s.cpf", document(list("sched_order", simple("0", "b") + simple("1", "a"), "strings"))},
+        {"r.cpf",
+         document(flags + list("ReportData", "") + list("ReportPolicy", simple("size", "3", "long"), "ConnPolicy") +
+                  simple("port", "0", "ulong"))},
+        {"none.cpf", document(simple("manage", "1", "boolean"))}};
+    for (const auto& [name, text] : files) directory_.write(name, text);
+    Outcome outcome = run(
+        {}, {{"app.xml", document(list("s", from("s.cpf"), "FBSched") + list("r", from("r.cpf"), "OCL::TcpReporting"))},
+             {"then.ops", kServices + "print.ln(s.sched_order[0] + s.on_error + r.ReportPolicy.size)\n"}});
+    EXPECT_EQ(0, outcome.status) << outcome.err << log();
+    EXPECT_THAT(outcome.out, HasSubstr("bskip3\n"));
+    outcome = run({}, {{"app.xml", document(list("s", from("none.cpf"), "FBSched"))}});
+    EXPECT_EQ(255, outcome.status);
+    EXPECT_THAT(outcome.err, HasSubstr("property 'sched_order' of type strings is missing"));
+}
+
 TEST_F(ChainProcess, DescribedInAFile) {
     const std::string start = simple("AutoConf", "1", "boolean") + simple("AutoStart", "1", "boolean");
     const std::string text =

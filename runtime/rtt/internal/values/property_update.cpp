@@ -4,6 +4,7 @@
 
 #include <rtt/Logger.hpp>
 #include <diag/nearest_match.hpp>
+#include <rtt/internal/values/newer_properties.hpp>
 #include <rtt/types/CompositionFactory.hpp>
 #include <rtt/types/TypeInfo.hpp>
 #include <rtt/types/Types.hpp>
@@ -57,7 +58,7 @@ bool refreshItems(PropertyBag& target, const PropertyBag& source, const BagUpdat
         const PropertyBase* from = source.getItem(name.empty() ? i : pairing.next(name));
         if (from) {
             good = updateAt(*item, *from, how, outer) && good;
-        } else if (how.needAll) {
+        } else if (how.needAll && !NewerProperties::has(target, name)) {
             how.report(nullptr, "property '" + pathOf(outer, *item) + "' of type " + item->getType() + " is missing");
             good = false;
         }
