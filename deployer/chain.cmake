@@ -20,6 +20,7 @@ oroforge_component_library(common
 # The type repository keeps the types of chains, which are code of this library.
 target_link_options(orocos-ocl-common PRIVATE -Wl,-z,nodelete)
 target_link_libraries(orocos-ocl-common PRIVATE $<BUILD_INTERFACE:oroforge_diag>)
+oroforge_precompile(orocos-ocl-common <rtt/TaskContext.hpp>)
 
 set(folder ${PROJECT_BINARY_DIR}/${OROFORGE_PLUGIN_DIR}/fbsched)
 add_custom_command(TARGET orocos-ocl-common POST_BUILD

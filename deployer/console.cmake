@@ -43,6 +43,7 @@ target_include_directories(orocos-ocl-taskbrowser PUBLIC
 target_link_libraries(orocos-ocl-taskbrowser
   PUBLIC orocos-rtt
   PRIVATE rtt-scripting $<BUILD_INTERFACE:oroforge_diag> $<BUILD_INTERFACE:PkgConfig::EDIT>)
+oroforge_precompile(orocos-ocl-taskbrowser <rtt/TaskContext.hpp>)
 set_target_properties(orocos-ocl-taskbrowser PROPERTIES
   OUTPUT_NAME orocos-ocl-taskbrowser-${OROCOS_TARGET} VERSION ${PROJECT_VERSION}
   SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}

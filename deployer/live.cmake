@@ -38,6 +38,7 @@ add_library(orocos-ocl-live SHARED
 target_include_directories(orocos-ocl-live PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
 target_link_libraries(orocos-ocl-live
   PUBLIC orocos-rtt orocos-rtt-encoding nlohmann_json::nlohmann_json oroforge_live_requests)
+oroforge_precompile(orocos-ocl-live <nlohmann/json.hpp> <rtt/TaskContext.hpp>)
 set_target_properties(orocos-ocl-live PROPERTIES
   OUTPUT_NAME orocos-ocl-live-${OROCOS_TARGET}
   LIBRARY_OUTPUT_DIRECTORY ${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/oroforge

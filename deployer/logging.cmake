@@ -35,6 +35,7 @@ oroforge_component_library(logging
   logging/syslog_lines.cpp)
 # By its plain name, which installed CMake files can give to others.
 target_link_libraries(orocos-ocl-logging PUBLIC log4cpp)
+oroforge_precompile(orocos-ocl-logging <rtt/TaskContext.hpp>)
 # log4cpp keeps objects of this library until the end of the process.
 target_link_options(orocos-ocl-logging PRIVATE -Wl,-z,nodelete)
 

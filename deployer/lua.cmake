@@ -44,6 +44,7 @@ oroforge_component_library(lua
   lua/state_calls.cpp
   lua/values.cpp)
 target_link_libraries(orocos-ocl-lua PRIVATE $<BUILD_INTERFACE:PkgConfig::LUA>)
+oroforge_precompile(orocos-ocl-lua <rtt/TaskContext.hpp>)
 
 oroforge_component_library(lua-tlsf lua/LuaTLSFComponent.cpp)
 target_link_libraries(orocos-ocl-lua-tlsf PRIVATE orocos-ocl-lua $<BUILD_INTERFACE:PkgConfig::LUA>)

@@ -73,6 +73,7 @@ oroforge_component_library(reporting-mcap
 target_link_libraries(orocos-ocl-reporting-mcap
   PUBLIC orocos-ocl-reporting
   PRIVATE orocos-rtt-encoding $<BUILD_INTERFACE:oroforge_mcap_file> $<BUILD_INTERFACE:oroforge_diag>)
+oroforge_precompile(orocos-ocl-reporting-mcap <rtt/TaskContext.hpp>)
 target_compile_definitions(orocos-ocl-reporting-mcap PRIVATE OROFORGE_VERSION="${PROJECT_VERSION}")
 
 # What repeats them. A deployer loads it when it is needed (replay/player.hpp).
@@ -91,6 +92,7 @@ oroforge_component_library(replay
 target_link_libraries(orocos-ocl-replay
   PRIVATE orocos-rtt-encoding $<BUILD_INTERFACE:oroforge_mcap> $<BUILD_INTERFACE:oroforge_message_schema>
     $<BUILD_INTERFACE:oroforge_diag>)
+oroforge_precompile(orocos-ocl-replay <rtt/TaskContext.hpp>)
 
 # The program that reads recordings.
 find_package(CLI11 QUIET)

@@ -47,6 +47,7 @@ add_library(oroforge_live_client STATIC
 find_package(Threads REQUIRED)
 target_include_directories(oroforge_live_client PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
 target_compile_definitions(oroforge_live_client PRIVATE OROFORGE_VERSION="${PROJECT_VERSION}")
+oroforge_precompile(oroforge_live_client <nlohmann/json.hpp>)
 target_link_libraries(oroforge_live_client
   PUBLIC oroforge_diag nlohmann_json::nlohmann_json
   PRIVATE CLI11::CLI11 PkgConfig::EDIT Boost::headers Threads::Threads)

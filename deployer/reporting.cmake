@@ -29,3 +29,4 @@ oroforge_component_library(reporting
   reporting/text_target.cpp
   reporting/value_tree.cpp)
 target_link_libraries(orocos-ocl-reporting PRIVATE $<BUILD_INTERFACE:oroforge_diag>)
+oroforge_precompile(orocos-ocl-reporting <rtt/TaskContext.hpp>)

@@ -15,7 +15,9 @@
 #   [OWN_HEADERS]            without a precompiled header: the test is about what includes bring
 #   [SERIAL]                 never beside another test (timing, memory limits)
 #   [TOGETHER]               all cases in one process, as one test: they share what is slow to start
-#   [SHARED <pattern>])      so do only the cases of this --gtest_filter, without exclusions
+#   [SHARED <pattern>]       so do only the cases of this --gtest_filter, without exclusions
+#   [APART])                 each case in its own process under sanitizers, too, where all cases of a program are else
+#                            one test: to start a process takes longer there than most cases
 #
 # oroforge_add_script_test(<name> COMMAND <word>… [LABELS …] [DEPENDS <target>…] [ENVIRONMENT …] [TIMEOUT s] [PARALLEL] [SERIAL])
 #   a test that is a command; default label unit, default time limit 120 s. PARALLEL: it keeps two processors busy.
@@ -64,7 +66,7 @@ function(_oroforge_sources_as_one name)
 endfunction()
 
 function(oroforge_add_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "NO_MAIN;AS_ONE;OWN_HEADERS;SERIAL;TOGETHER" "TIMEOUT;PREFIX;SHARED"
+  cmake_parse_arguments(PARSE_ARGV 1 arg "NO_MAIN;AS_ONE;OWN_HEADERS;SERIAL;TOGETHER;APART" "TIMEOUT;PREFIX;SHARED"
     "SOURCES;LABELS;LIBS;INCLUDES;DEFINITIONS;DEPENDS;ENVIRONMENT")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "oroforge_add_test(${name}): unknown arguments: ${arg_UNPARSED_ARGUMENTS}")
@@ -113,6 +115,12 @@ function(oroforge_add_test name)
   endif()
   set_property(GLOBAL APPEND PROPERTY OROFORGE_TEST_PROGRAMS ${name})
   _oroforge_collect_test("${arg_LABELS}" ${name})
+  if(OROFORGE_SANITIZE AND NOT arg_APART)
+    set(arg_TOGETHER TRUE)
+    set(arg_SHARED "")
+    # That of a case times ten.
+    string(APPEND arg_TIMEOUT 0)
+  endif()
   if(arg_TOGETHER OR arg_SHARED)
     set(others "")
     if(arg_SHARED)

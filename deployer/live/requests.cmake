@@ -28,4 +28,5 @@ add_library(oroforge_live_requests OBJECT
 target_include_directories(oroforge_live_requests PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
 target_link_libraries(oroforge_live_requests
   PUBLIC orocos-rtt orocos-rtt-encoding orocos-ocl-taskbrowser rtt-scripting nlohmann_json::nlohmann_json oroforge_diag)
+oroforge_precompile(oroforge_live_requests <nlohmann/json.hpp> <rtt/TaskContext.hpp>)
 set_target_properties(oroforge_live_requests PROPERTIES POSITION_INDEPENDENT_CODE ON)
