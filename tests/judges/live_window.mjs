@@ -82,6 +82,7 @@ async function look(url, typed, protocol) {
 
   const services = await events.get("advertiseServices", (all) => all.some((one) => one.name === "/tank/fill"));
   const fill = services.find((one) => one.name === "/tank/fill");
+  assert.ok(!services.some((one) => one.name.startsWith("/Deployer/")), "operations that this client may not call");
   assert.equal(fill.request?.encoding ?? "json", "json");
   const call = (callId, request) =>
     client.sendServiceCallRequest({

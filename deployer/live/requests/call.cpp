@@ -168,7 +168,8 @@ json call(const Asked& asked) {
             if (at.rest.empty())
                 throw Failure(kUnknownName, "'" + textField(asked.request, "path") + "' is a " +
                                                 (at.isComponent ? "component" : "service") + ", expected an operation");
-            checkCall(asked, at);
+            const std::string why = whyNotCalled(asked, at);
+            if (!why.empty()) throw Failure(kNotAllowed, why);
             call = prepare(at, arguments);
             note();
             // The component must exist while its code runs in this thread.

@@ -31,7 +31,7 @@ bool leadsOutside(const Asked& asked, const Found& at) {
 
 }  // namespace
 
-void checkCall(const Asked& asked, const Found& at) {
+std::string whyNotCalled(const Asked& asked, const Found& at) {
     const Rights& rights = asked.caller.rights;
     const std::string &name = at.rest.front(), whole = "operation '" + at.pathWith(name) + "'";
     const auto* const standard = RTT::internal::standardOperation(name);
@@ -39,17 +39,13 @@ void checkCall(const Asked& asked, const Found& at) {
                               standard && (!standard->isQuery || name.compare(0, 3, "set") == 0);
     const std::string lifecycle = "; the deployer's option --web-allow=lifecycle allows it";
     if (!rights.lifecycle && changesState)
-        throw Failure(kNotAllowed,
-                      whole + " changes the state of its component, which is not allowed here" + lifecycle);
+        return whole + " changes the state of its component, which is not allowed here" + lifecycle;
     if (!rights.console && leadsOutside(asked, at))
-        throw Failure(kNotAllowed, whole +
-                                       " executes code or commands, or uses files; only 'oro' on the same computer, "
-                                       "without --url, may call it");
+        return whole +
+               " executes code or commands, or uses files; only 'oro' on the same computer, without --url, may call it";
     if (!rights.lifecycle && at.gate && at.gate == asked.root.gate)
-        throw Failure(kNotAllowed, whole +
-                                       " belongs to the deployer, which changes all components, and is not "
-                                       "allowed here" +
-                                       lifecycle);
+        return whole + " belongs to the deployer, which changes all components, and is not allowed here" + lifecycle;
+    return "";
 }
 
 void checkSet(const Asked& asked, const FoundValue& found) {

@@ -5,6 +5,7 @@
 #include "fields.hpp"
 #include "found_value.hpp"
 #include "interface_json.hpp"
+#include "permissions.hpp"
 #include "verbs.hpp"
 
 #include <console/scripted.hpp>
@@ -91,7 +92,16 @@ struct Shown {
     std::vector<std::shared_ptr<Copied>> properties, attributes;
 };
 
-void addInterface(Shown& to, RTT::Service& service, const KnownPorts& known) {
+json operationIn(const Asked& asked, const Found& at, const RTT::OperationInterfacePart& part) {
+    Found named = at;
+    named.rest = {part.getName()};
+    json made = operationJson(part);
+    made["allowed"] = asked.caller.rights.operations && whyNotCalled(asked, named).empty();
+    return made;
+}
+
+void addInterface(Shown& to, const Asked& asked, const Found& at, const KnownPorts& known) {
+    RTT::Service& service = *at.service;
     json properties = json::array(), attributes = json::array(), operations = json::array(), ports = json::array();
     for (const auto* const property : *service.properties()) {
         properties.push_back(propertyHead(*property));
@@ -102,7 +112,7 @@ void addInterface(Shown& to, RTT::Service& service, const KnownPorts& known) {
         to.attributes.push_back(std::make_shared<Copied>(attribute->getDataSource()));
     }
     for (const std::string& name : service.getNames())
-        if (const auto* const part = service.getPart(name)) operations.push_back(operationJson(*part));
+        if (const auto* const part = service.getPart(name)) operations.push_back(operationIn(asked, at, *part));
     std::size_t left = kMostText / 2;
     for (const auto* const port : service.getPorts()) {
         ports.push_back(portJson(*port, known, std::min<std::size_t>(left, 1024)));
@@ -148,13 +158,12 @@ json showMember(const Asked& asked, const Found& at, const KnownPorts& known) {
                 {{"port", known.partnerOf(connection)}, {"policy", RTT::internal::policyText(connection.get<2>())}});
         made["connections"] = std::move(policies);
     } else if (const auto* const part = service.getPart(name)) {
-        made = operationJson(*part);
+        made = operationIn(asked, at, *part);
         made["kind"] = "operation";
     } else {
         unknown(at, "property, attribute, operation, port, service or component");
     }
     made["path"] = at.pathWith(name);
-    (void)asked;
     return made;
 }
 
@@ -205,7 +214,7 @@ json show(const Asked& asked) {
                 shown.made["programs"] = scriptedOf(*at.component, false);
                 shown.made["machines"] = scriptedOf(*at.component, true);
             }
-            addInterface(shown, *at.service, known);
+            addInterface(shown, asked, at, known);
         }
     }
     if (shown.made.is_null()) {

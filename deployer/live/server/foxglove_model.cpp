@@ -67,7 +67,7 @@ void FoxgloveModel::onShown(const std::string& path, const json& shown) {
     owner = {};
     owner.hasProperties = !shown.value("properties", json::array()).empty();
     addChannels(owner, path, shown.value("ports", json::array()));
-    if (client_.caller().rights.operations) addServices(owner, path, shown.value("operations", json::array()));
+    addServices(owner, path, shown.value("operations", json::array()));
 }
 
 void FoxgloveModel::addChannels(Owner& owner, const std::string& path, const json& ports) {
@@ -92,7 +92,7 @@ void FoxgloveModel::addChannels(Owner& owner, const std::string& path, const jso
 void FoxgloveModel::addServices(Owner& owner, const std::string& path, const json& operations) {
     json services = json::array();
     for (const json& operation : operations) {
-        if (operation.value("usual", false)) continue;
+        if (operation.value("usual", false) || !operation.value("allowed", false)) continue;
         Service made;
         made.id = ++lastId_;
         made.path = path + "." + operation.value("name", "");

@@ -5,10 +5,14 @@
 
 #include <live/requests/failure.hpp>
 
+#include <set>
+
 namespace live_test {
 namespace {
 
+using testing::Contains;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 TEST_F(RequestsTest, WhatIsNotAllowedNamesTheOption) {
@@ -44,6 +48,27 @@ TEST_F(RequestsTest, OperationsAreNoWayAroundOtherPermissions) {
     EXPECT_THAT(failure("call", {{"path", "Arm.scripting.eval"}, {"arguments", {"Arm.stop()"}}}),
                 StartsWith("LIV005: operation 'Arm.scripting.eval' executes code"));
     EXPECT_TRUE(arm->isRunning());
+}
+
+TEST_F(RequestsTest, OperationsSayWhetherTheClientMayCallThem) {
+    const auto allowed = [this](const std::string& path) {
+        std::set<std::string> names;
+        for (const auto& operation : result("show", {{"path", path}})["operations"])
+            if (operation.at("allowed") == true) names.insert(operation.at("name").get<std::string>());
+        return names;
+    };
+    deployer->addOperation("runScript", std::function<bool()>([] { return true; }));
+    rights = {};
+    EXPECT_THAT(allowed("Arm"), testing::IsEmpty());
+    rights.operations = true;
+    EXPECT_THAT(allowed("Arm"), testing::AllOf(Contains("add"), Contains("isRunning"), Not(Contains("start"))));
+    EXPECT_THAT(allowed(""), testing::IsEmpty());
+    EXPECT_EQ(false, result("show", {{"path", "Arm.start"}})["allowed"]);
+    rights.lifecycle = true;
+    EXPECT_THAT(allowed("Arm"), Contains("start"));
+    EXPECT_THAT(allowed(""), testing::AllOf(Contains("start"), Not(Contains("runScript"))));
+    rights.console = true;
+    EXPECT_THAT(allowed(""), Contains("runScript"));
 }
 
 TEST_F(RequestsTest, OnlyAConsoleReachesFilesAndPrograms) {
