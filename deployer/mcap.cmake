@@ -51,6 +51,7 @@ set_target_properties(oroforge_message_schema PROPERTIES POSITION_INDEPENDENT_CO
 # Recordings, for programs with and without the runtime.
 add_library(oroforge_mcap_file STATIC
   reporting/mcap_file/about.cpp
+  reporting/mcap_file/packages.cpp
   reporting/mcap_file/log_message.cpp
   reporting/mcap_file/record_file.cpp
   reporting/mcap_file/split.cpp

@@ -3,6 +3,7 @@
 #include "about.hpp"
 
 #include <reporting/mcap_file/about.hpp>
+#include <reporting/mcap_file/packages.hpp>
 #include <rtt/deployment/deployed_texts.hpp>
 #include <rtt/plugin/PluginLoader.hpp>
 
@@ -31,6 +32,7 @@ mcap::Metadata aboutRecorder(const RecordingOptions& options) {
     const auto plugins = RTT::plugin::PluginLoader::Instance();
     result.texts["typekits"] = joined(plugins->listTypekits());
     result.texts["plugins"] = joined(plugins->listPlugins());
+    result.texts["packages"] = packagesOf(::getpid());
     // The same run in simulated time gives the same file.
     if (options.isReproducible) return result;
     result.texts.merge(aboutProcess(::getpid()));

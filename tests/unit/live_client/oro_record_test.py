@@ -92,7 +92,7 @@ class Recording(OroCase):
         self.assertEqual((0, sum(one[1] for one in topics.values())), (done["lost"], done["messages"]))
         self.assertEqual((self.directory / "all.mcap").stat().st_size, done["bytes"])
         info = self.tool("info", "all.mcap")
-        self.assertRegex(info, r"metadata +oroforge: .*command=.*-s app\.ops .*deployment=Deployer .*version=")
+        self.assertRegex(info, r"metadata +oroforge: .*command=.*-s app\.ops .*deployment=Deployer .*packages=.*ocl.*version=")
         self.assertIn("oroforge.lost: all=0\n", info)
 
     def test_times_are_those_of_writing(self):
