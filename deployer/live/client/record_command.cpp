@@ -9,6 +9,7 @@
 
 #include <diag/nearest_match.hpp>
 #include <reporting/mcap_file/about.hpp>
+#include <reporting/mcap_file/packages.hpp>
 
 #include <algorithm>
 #include <csignal>
@@ -61,6 +62,8 @@ Recorder::Options optionsOf(const Given& given, const std::string& deployment) {
         throw Failure(Status::Usage, "--split: found '" + given.text("split") +
                                          "', expected a size or a time, such as '500 MB' or '60 s'");
     options.file = given.has("output") ? given.text("output") : usualName(deployment);
+    if (options.file == "-")
+        throw Failure(Status::Usage, "--output: '-' is no file; a recording is not written to standard output");
     options.keepsOthers = !given.has("force");
     struct stat status {};
     if (options.keepsOthers && ::stat(options.file.c_str(), &status) == 0 && S_ISREG(status.st_mode))
@@ -71,7 +74,10 @@ Recorder::Options optionsOf(const Given& given, const std::string& deployment) {
 /** Metadata of the file: those of McapReporting, as far as they are known from outside. */
 mcap::Texts aboutOf(const Requests& deployment) {
     mcap::Texts texts;
-    if (deployment.pid()) texts = OCL::recording::aboutProcess(deployment.pid());
+    if (deployment.pid()) {
+        texts = OCL::recording::aboutProcess(deployment.pid());
+        texts["packages"] = OCL::recording::packagesOf(deployment.pid());
+    }
     texts["component"] = "oro record";
     texts["deployment"] = deployment.name();
     texts["clock"] = "realtime";
