@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include "salvage.hpp"
 
+#include "compression.hpp"
 #include "scan.hpp"
 
 #include <cstring>
@@ -28,7 +29,7 @@ public:
         (void)writer_.add(schema);
     }
     void channel(const Channel& channel) override {
-        if (!channels_.insert(channel.id).second) return;
+        if (!channels_.insert(channel.id)) return;
         begin();
         (void)writer_.add(channel);
     }
@@ -39,6 +40,7 @@ public:
     }
     void problem(const Problem& problem) override {
         if (result_.problems.size() < kMostProblems) result_.problems.push_back(problem);
+        isSpoiled_ = isSpoiled_ || inChunk_;
     }
     void chunk(const ChunkHead& head, const Bytes& record, std::uint64_t) override {
         flush();
@@ -56,9 +58,13 @@ public:
     }
     void chunkEnd() override {
         inChunk_ = false;
-        indexMessages(entries_, packed_);
+        if (std::exchange(isSpoiled_, false)) {
+            addMessages();
+        } else {
+            indexMessages(entries_, packed_);
+            write();
+        }
         entries_.clear();
-        write();
     }
     void message(const Message& message) override {
         ++result_.messages;
@@ -74,6 +80,30 @@ public:
     }
 
 private:
+    /** Gives the messages of a chunk on, without those that are not described. */
+    class Described : public Visitor {
+    public:
+        explicit Described(Copy& to) : to_(to) {}
+        void message(const Message& message) override { to_.addLoose(message); }
+
+    private:
+        Copy& to_;
+    };
+
+    /** The chunk has records that are damaged, so it is not copied as it is. */
+    void addMessages() {
+        Bytes records;
+        std::string why;
+        if (!decompress(packed_.head.compression, packed_.packed.data(), packed_.packed.size(), packed_.head.size,
+                        records, why))
+            return;
+        ChunkReader chunk;
+        chunk.take(std::move(records));
+        Described described(*this);
+        visitRecords(chunk, 0, channels_, described);
+        flush();
+    }
+
     void begin() {
         if (!std::exchange(begun_, true)) (void)writer_.begin({"", "oroforge"});
     }
@@ -103,9 +133,10 @@ private:
     Salvaged& result_;
     Chunk loose_;
     PackedChunk packed_;
-    bool begun_ = false, inChunk_ = false;
+    bool begun_ = false, inChunk_ = false, isSpoiled_ = false;
     std::vector<Chunk::Entry> entries_;
-    std::set<std::uint16_t> schemas_, channels_;
+    std::set<std::uint16_t> schemas_;
+    ChannelIds channels_;
 };
 
 }  // namespace
