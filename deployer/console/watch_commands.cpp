@@ -131,7 +131,7 @@ std::vector<std::string> sampleLines(const Screen& screen, const std::string& na
                                    "; Enter ends this"};
     if (seen == 0) return lines;
     const std::size_t width = screen.width(), indent = 4;
-    const std::string text = std::string(indent, ' ') + oneLine(valueText(probe.value(), screen.hex));
+    const std::string text = std::string(indent, ' ') + valueOnOneLine(valueText(probe.value(), screen.hex));
     std::vector<std::string> parts;
     if (width > indent && widthOf(text) >= width)
         parts = valueLines(probe.value(), screen.hex, width - indent - 1, rowsOfTerminal());
@@ -170,7 +170,7 @@ void watchPort(ConsoleState& state, const Input& input) {
         while ((count == 0 || seen < count) && probe->read()) {
             ++seen;
             changed = true;
-            if (!screen.live) screen.out << oneLine(valueText(probe->value(), screen.hex)) << std::endl;
+            if (!screen.live) screen.out << valueOnOneLine(valueText(probe->value(), screen.hex)) << std::endl;
         }
         const bool gone = !probe->isConnected();
         ends = gone || (count != 0 && seen == count) || isEnded(screen);

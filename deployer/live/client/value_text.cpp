@@ -20,7 +20,7 @@ std::string numberText(const Json& number) {
     if (!number.is_number_float()) return lineOf(number);
     // The shortest text that reads back as the same number.
     char text[40];
-    for (const int digits : {6, 15, 17}) {
+    for (const int digits : {6, 15, 16, 17}) {
         std::snprintf(text, sizeof text, "%.*g", digits, number.get<double>());
         if (std::strtod(text, nullptr) == number.get<double>()) break;
     }
@@ -65,7 +65,7 @@ std::string valueText(const Json& value) {
 
 std::string shownText(const Json& object) {
     const std::string text = textOf(object, "text");
-    if (!text.empty()) return OCL::console::oneLine(printable(text));
+    if (!text.empty()) return OCL::console::valueOnOneLine(printable(text));
     const Json& value = memberOf(object, "value");
     return value.is_null() ? "" : valueText(value);
 }

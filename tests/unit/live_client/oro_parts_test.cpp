@@ -88,6 +88,11 @@ TEST(OroValues, AreWrittenAsInTheConsole) {
     EXPECT_EQ("[0, 0, 0, 0, 0, 0, 0, 0, 0, 0, … 90 more]", valueText(Json(std::vector<int>(100, 0))));
 }
 
+TEST(OroValues, KeepTheBlanksOfTexts) {
+    EXPECT_EQ(R"("a   b")", shownText({{"text", R"("a   b")"}}));
+    EXPECT_EQ("[1 2]", shownText({{"text", "[1\n   2]"}}));
+}
+
 TEST(OroValues, HaveMembersByPath) {
     const Json value = parsed(R"({"pose": {"x": 1, "n": null}, "joints": [{"q": 5}, {"q": 6}]})");
     EXPECT_EQ(Json(1), *memberAt(value, "pose.x"));
