@@ -5,6 +5,7 @@
 #include "output.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -107,6 +108,18 @@ const Json* memberAt(const Json& value, const std::string& path) {
         }
     }
     return now;
+}
+
+bool lacksElement(const Json& value, const std::string& path) {
+    for (std::size_t end = 0; end < path.size();) {
+        const Json* const sequence = memberAt(value, path.substr(0, end));
+        if (!sequence) return false;
+        const std::size_t begin = end;
+        end = std::min(path.find_first_of(".[", begin + 1), path.size());
+        const bool isIndex = path[begin] == '[' || std::isdigit(static_cast<unsigned char>(path[begin + 1]));
+        if (sequence->is_array() && isIndex && !memberAt(value, path.substr(0, end))) return true;
+    }
+    return false;
 }
 
 std::optional<double> asNumber(const Json& value) {
