@@ -90,9 +90,10 @@ RTT::base::OutputPortInterface* outputPort(ConsoleState& state, const Input& inp
 bool countIn(ConsoleState& state, const Input& input, std::uint64_t& count) {
     count = 0;
     if (input.words.size() < 3) {
-        if (!state.screen.live)
+        const bool canEnd = state.screen.live || state.screen.canBeStopped;
+        if (!canEnd)
             complain(state.screen, input, input.text.size(), "expected a number, because no key ends the command here");
-        return state.screen.live;
+        return canEnd;
     }
     const Word& word = input.words[2];
     const bool digits = word.text.find_first_not_of("0123456789") == std::string::npos;
