@@ -61,6 +61,17 @@ TEST_F(RequestsTest, WholeNumbersHaveTheirWholeRange) {
     EXPECT_THAT(failure("set", {{"path", "Arm.number"}, {"text", "-9223372036854775809"}}), StartsWith("LIV006"));
 }
 
+TEST_F(RequestsTest, NumbersAreReadInAllTheirForms) {
+    for (const char* const text : {".5", "+.5", "0.5", "5e-1"})
+        EXPECT_EQ(0.5, result("set", {{"path", "Arm.gain"}, {"text", text}})["value"]) << text;
+    EXPECT_EQ(-0.5, result("set", {{"path", "Arm.gain"}, {"text", "-.5"}})["value"]);
+    for (const char* const text : {"nan", "-nan"})
+        EXPECT_EQ("NaN", result("set", {{"path", "Arm.gain"}, {"text", text}})["value"]) << text;
+    for (const char* const text : {".", "-", "+", ".e", "-.x", "--1"})
+        EXPECT_THAT(failure("set", {{"path", "Arm.gain"}, {"text", text}}), StartsWith("LIV006")) << text;
+    EXPECT_THAT(failure("set", {{"path", "Arm.gain"}, {"text", "ü"}}), HasSubstr("found 'ü'"));
+}
+
 TEST_F(RequestsTest, NamesOfMembersMayHaveDots) {
     double level = 4;
     RTT::OutputPort<double> dotted("out.b");
