@@ -4,6 +4,7 @@
 
 #include "compression.hpp"
 #include "scan.hpp"
+#include "summary.hpp"
 
 #include <cstring>
 #include <set>
@@ -18,20 +19,22 @@ constexpr std::size_t kChunkRoom = std::size_t(1) << 20;
 
 class Copy : public Visitor {
 public:
-    Copy(Sink& to, Salvaged& result) : writer_(to), result_(result), loose_(kChunkRoom) {}
+    /** If the summary has a checksum, its descriptions are right; those in front of the chunks may have changed. */
+    Copy(Sink& to, Salvaged& result, const Summary& summary)
+        : writer_(to),
+          result_(result),
+          summary_(summary),
+          isDescribed_(summary.hasChecksum && summary.describesAll()),
+          loose_(kChunkRoom) {}
 
-    void header(const Header& header) override {
-        if (!std::exchange(begun_, true)) (void)writer_.begin(header);
-    }
+    void header(const Header& header) override { begin(header); }
     void schema(const Schema& schema) override {
-        if (!schemas_.insert(schema.id).second) return;
         begin();
-        (void)writer_.add(schema);
+        if (!isDescribed_) add(schema);
     }
     void channel(const Channel& channel) override {
-        if (!channels_.insert(channel.id)) return;
         begin();
-        (void)writer_.add(channel);
+        if (!isDescribed_) add(channel);
     }
     void metadata(const Metadata& metadata) override {
         begin();
@@ -104,8 +107,18 @@ private:
         flush();
     }
 
-    void begin() {
-        if (!std::exchange(begun_, true)) (void)writer_.begin({"", "oroforge"});
+    void begin(const Header& header = {"", "oroforge"}) {
+        if (std::exchange(begun_, true)) return;
+        (void)writer_.begin(header);
+        if (!isDescribed_) return;
+        for (const auto& [id, schema] : summary_.schemas) add(schema);
+        for (const auto& [id, channel] : summary_.channels) add(channel);
+    }
+    void add(const Schema& schema) {
+        if (schemas_.insert(schema.id).second) (void)writer_.add(schema);
+    }
+    void add(const Channel& channel) {
+        if (channels_.insert(channel.id)) (void)writer_.add(channel);
     }
     void addLoose(const Message& message) {
         unsigned char* place = loose_.place(message.size);
@@ -131,6 +144,8 @@ private:
 
     Writer writer_;
     Salvaged& result_;
+    const Summary& summary_;
+    const bool isDescribed_;
     Chunk loose_;
     PackedChunk packed_;
     bool begun_ = false, inChunk_ = false, isSpoiled_ = false;
@@ -143,7 +158,9 @@ private:
 
 Salvaged salvage(Source& from, Sink& to) {
     Salvaged result;
-    Copy copy(to, result);
+    Summary summary;
+    if (readSummary(from, summary)) summary = {};
+    Copy copy(to, result, summary);
     (void)scan(from, copy);
     copy.end();
     return result;

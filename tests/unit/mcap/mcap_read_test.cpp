@@ -210,6 +210,23 @@ TEST_P(Recording, TakesADamagedChannelFromItsIndex) {
     EXPECT_EQ(messages, salvaged.messages);
 }
 
+TEST_P(Recording, IsSalvagedWithTheDescriptionsThatHaveAChecksum) {
+    Bytes bytes = file.bytes();
+    for (const std::string text : {"string data", "/a/second"}) {
+        const auto at = std::search(bytes.begin(), bytes.end(), text.begin(), text.end());
+        *at = '#';
+    }
+    MemorySource source(bytes.data(), bytes.size());
+    MemorySink sink;
+    const Salvaged salvaged = salvage(source, sink);
+    EXPECT_THAT(codesOf(salvaged.problems), ElementsAre("MCP003"));
+    const Found found(sink.bytes);
+    EXPECT_TRUE(found.problems.empty());
+    EXPECT_EQ("string data\n", found.schemas.at(0).data);
+    EXPECT_EQ("/a/second", found.channels.at(1).topic);
+    EXPECT_EQ(messages, found.messages);
+}
+
 TEST_P(Recording, IsSalvagedWithoutMessagesThatNothingDescribes) {
     Bytes bytes = withoutChannel(file.bytes());
     bytes.resize(file.dataEnd);
