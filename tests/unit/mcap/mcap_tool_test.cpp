@@ -39,6 +39,12 @@ TEST_F(Tool, CatPrintsJson) {
                 HasSubstr("run.mcap: error: there is no topic '/tank/cont'; did you mean '/tank/count'?"));
 }
 
+TEST_F(Tool, CatPrintsUtf8) {
+    record("run.mcap", {{1, 0, 0, level(1, "ü\xff\xc3|\xed\xa0\x80\xf0\x9f\x98\x80", 0)}});
+    EXPECT_THAT(expect(0, {"cat", "run.mcap"}).out,
+                HasSubstr("\"name\": \"ü\ufffd\ufffd|\ufffd\ufffd\ufffd\U0001f600\""));
+}
+
 TEST_F(Tool, AReaderThatHasSeenEnoughIsNoError) {
     std::vector<Told> many;
     for (std::uint32_t i = 0; i != 3000; ++i) many.emplace_back(1, i, i, level(i, std::string(100, 'x'), 1));
