@@ -59,7 +59,7 @@ void writeMembers(Screen& screen, const RTT::base::DataSourceBase::shared_ptr& v
         const auto member = value->getMember(name);
         if (!member) continue;
         table.add({"." + name, dotted(member->getTypeName()),
-                   "= " + shortened(oneLine(valueText(member, screen.hex)), screen.valueWidth()),
+                   "= " + shortened(valueOnOneLine(valueText(member, screen.hex)), screen.valueWidth()),
                    factory ? factory->describeMember(name) : ""});
     }
     table.write(screen.out, screen.theme, indent, screen.tableWidth());

@@ -39,7 +39,7 @@ void writePorts(Screen& screen, RTT::DataFlowInterface& ports, const std::string
         for (const RTT::base::PortInterface* const port : ports.getPorts()) {
             const auto last = known.lastSample(*port);
             table.add({port->asInput() ? "in" : "out", port->getName(), dotted(port->getTypeInfo()->getTypeName()),
-                       last ? "= " + shortened(oneLine(valueText(last, screen.hex)), screen.valueWidth()) : "",
+                       last ? "= " + shortened(valueOnOneLine(valueText(last, screen.hex)), screen.valueWidth()) : "",
                        partnersOf(*port), oneLine(port->getDescription())});
         }
     }

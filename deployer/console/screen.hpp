@@ -22,10 +22,11 @@ struct Screen {
     bool hex = false;
     /** The number of columns of a line. */
     std::function<std::size_t()> width = [] { return std::size_t(100); };
-    bool cutsTables = false;  ///< tables are cut at the end of the line, as a terminal needs
-    bool live = false;        ///< a user at a terminal sees it, and can end a command by a key
-    bool erases = false;      ///< the terminal can erase what it shows
-    bool failed = false;      ///< a line could not be executed
+    bool cutsTables = false;    ///< tables are cut at the end of the line, as a terminal needs
+    bool live = false;          ///< a user at a terminal sees it, and can end a command by a key
+    bool canBeStopped = false;  ///< somebody can interrupt a command, if no key can
+    bool erases = false;        ///< the terminal can erase what it shows
+    bool failed = false;        ///< a line could not be executed
 
     /** The width of tables; 0 if it has no limit. */
     std::size_t tableWidth() const { return cutsTables ? width() : 0; }

@@ -45,6 +45,30 @@ std::string oneLine(const std::string& text) {
     return line;
 }
 
+std::string valueOnOneLine(const std::string& text) {
+    std::string line;
+    bool isQuoted = false;
+    for (std::size_t at = 0; at != text.size(); ++at) {
+        const char c = text[at];
+        if (isQuoted && c == '\\' && at + 1 != text.size()) {
+            line += c;
+            line += text[++at];
+        } else if (!isQuoted && text.compare(at, 3, "'\"'") == 0) {
+            line += "'\"'";
+            at += 2;
+        } else if (isQuoted && c == ' ') {
+            line += c;
+        } else if (!std::isspace(static_cast<unsigned char>(c))) {
+            isQuoted = isQuoted != (c == '"');
+            line += c;
+        } else if (!line.empty() && line.back() != ' ') {
+            line += ' ';
+        }
+    }
+    if (!isQuoted && !line.empty() && line.back() == ' ') line.pop_back();
+    return line;
+}
+
 std::vector<std::string> wrapped(const std::string& text, std::size_t width) {
     if (width == 0) return {text};
     std::vector<std::string> lines(1);

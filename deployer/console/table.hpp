@@ -19,6 +19,8 @@ std::size_t widthOf(const std::string& text);
 std::string shortened(const std::string& text, std::size_t width);
 /** The text on one line, with blanks joined. */
 std::string oneLine(const std::string& text);
+/** A value on one line, with blanks joined, but not those within its quotes. */
+std::string valueOnOneLine(const std::string& text);
 /** The text in lines of at most that width, apart from longer words; one line if the width is 0. */
 std::vector<std::string> wrapped(const std::string& text, std::size_t width);
 

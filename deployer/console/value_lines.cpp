@@ -40,7 +40,7 @@ private:
     }
 
     void add(const std::string& name, const Source& value, unsigned depth) {
-        const std::string line = name + " = " + oneLine(valueText(value, hex_));
+        const std::string line = name + " = " + valueOnOneLine(valueText(value, hex_));
         std::size_t left = 0;
         if (2 * depth + widthOf(line) <= width_ || depth >= kDeepest || partsOf(value, left).empty())
             return put(depth, line);

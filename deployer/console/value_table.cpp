@@ -14,7 +14,7 @@ namespace {
 typedef RTT::base::DataSourceBase::shared_ptr Source;
 
 std::string cellOf(const Source& value, const Screen& screen) {
-    return value ? "= " + shortened(oneLine(valueText(value, screen.hex)), screen.valueWidth()) : "";
+    return value ? "= " + shortened(valueOnOneLine(valueText(value, screen.hex)), screen.valueWidth()) : "";
 }
 
 std::string typeOf(const Source& value) { return value ? dotted(value->getTypeName()) : "?"; }

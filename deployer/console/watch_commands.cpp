@@ -90,9 +90,10 @@ RTT::base::OutputPortInterface* outputPort(ConsoleState& state, const Input& inp
 bool countIn(ConsoleState& state, const Input& input, std::uint64_t& count) {
     count = 0;
     if (input.words.size() < 3) {
-        if (!state.screen.live)
+        const bool canEnd = state.screen.live || state.screen.canBeStopped;
+        if (!canEnd)
             complain(state.screen, input, input.text.size(), "expected a number, because no key ends the command here");
-        return state.screen.live;
+        return canEnd;
     }
     const Word& word = input.words[2];
     const bool digits = word.text.find_first_not_of("0123456789") == std::string::npos;
@@ -131,7 +132,7 @@ std::vector<std::string> sampleLines(const Screen& screen, const std::string& na
                                    "; Enter ends this"};
     if (seen == 0) return lines;
     const std::size_t width = screen.width(), indent = 4;
-    const std::string text = std::string(indent, ' ') + oneLine(valueText(probe.value(), screen.hex));
+    const std::string text = std::string(indent, ' ') + valueOnOneLine(valueText(probe.value(), screen.hex));
     std::vector<std::string> parts;
     if (width > indent && widthOf(text) >= width)
         parts = valueLines(probe.value(), screen.hex, width - indent - 1, rowsOfTerminal());
@@ -170,7 +171,7 @@ void watchPort(ConsoleState& state, const Input& input) {
         while ((count == 0 || seen < count) && probe->read()) {
             ++seen;
             changed = true;
-            if (!screen.live) screen.out << oneLine(valueText(probe->value(), screen.hex)) << std::endl;
+            if (!screen.live) screen.out << valueOnOneLine(valueText(probe->value(), screen.hex)) << std::endl;
         }
         const bool gone = !probe->isConnected();
         ends = gone || (count != 0 && seen == count) || isEnded(screen);

@@ -15,13 +15,13 @@
 namespace oroforge::live_client {
 namespace {
 
-// CLI11 takes "-0.5" for an option and "[1, 2]" for two values; with this letter in front, neither.
+// CLI11 takes "-0.5" and "-inf" for options and "[1, 2]" for two values; with this letter in front, neither.
 constexpr char kMark = '\1';
 
 bool isValue(const std::string& word) {
     if (word.empty()) return false;
     const bool number = word[0] == '-' && word.size() > 1 && (word[1] == '.' || (word[1] >= '0' && word[1] <= '9'));
-    return number || word[0] == '[';
+    return number || word[0] == '[' || word == "-inf" || word == "-nan" || word == "-Infinity";
 }
 
 std::string unmarked(const std::string& word) { return !word.empty() && word[0] == kMark ? word.substr(1) : word; }

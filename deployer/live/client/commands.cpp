@@ -155,8 +155,7 @@ std::vector<Command> portCommands() {
         {"hz",
          "how often a port writes",
          "Shows the rate of a port's samples, and the spread of the time between them, each second; and at the end, "
-         "which is "
-         "Ctrl-C, in all. The deployment looks at the port every 10 ms, so the spread is shown for times above 50 ms.",
+         "which is Ctrl-C, in all. The times are those at which the port was written to.",
          {kPort},
          {{"--count", "N", "Ends after so many reports."}, kInterval},
          {{"oro hz arm.position", ""}},

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <utility>
 
 namespace oroforge::live_client {
 namespace {
@@ -100,9 +101,15 @@ void followPort(Session& session, const Json& given, const std::function<bool(co
     if (!field.empty()) path.field += (path.field.empty() ? "" : ".") + field;
     Json fields = {{"port", path.port}, {"format", "json"}};
     for (const auto& other : given.items()) fields[other.key()] = other.value();
+    bool isTold = false;
     const auto onSample = [&](const Json& message) {
         const Json& value = memberOf(message, "value");
         const Json* const part = memberAt(value, path.field);
+        if (!part && lacksElement(value, path.field)) {
+            if (!std::exchange(isTold, true))
+                remark("samples without '" + path.field + "', whose sequence is shorter, are left out");
+            return true;
+        }
         if (!part) reportField(path, value);
         return each(message, *part);
     };

@@ -84,9 +84,12 @@ std::vector<Row> rowsOf(const std::vector<Deployment>& all, std::chrono::millise
 
 void listDeployments(Session& session) {
     std::vector<Deployment> all = runningDeployments();
-    if (const std::string wanted = session.given().text("deployment"); !wanted.empty()) {
+    const std::string wanted = session.given().text("deployment");
+    if (wanted.find('/') != std::string::npos) {
+        all = {chosenDeployment(wanted)};
+    } else if (!wanted.empty()) {
         const auto isOther = [&](const Deployment& one) {
-            return one.name != wanted && std::to_string(one.pid) != wanted && one.socket != wanted;
+            return one.name != wanted && std::to_string(one.pid) != wanted;
         };
         all.erase(std::remove_if(all.begin(), all.end(), isOther), all.end());
     }

@@ -137,7 +137,9 @@ void writeAlone(Output& out, const Json& part, const std::string& kind) {
 
 void writeInterface(Output& out, const Json& part, const std::string& kind) {
     const std::string state = cell(part, "state"), type = cell(part, "type");
-    out.line(capitalised(kind) + " " + out.paint(Style::Name, cell(part, "path")) +
+    // The path of the deployer is empty.
+    const std::string name = cell(part, textOf(part, "path").empty() ? "name" : "path");
+    out.line(capitalised(kind) + " " + out.paint(Style::Name, name) +
              (type.empty() ? "" : "  " + out.paint(Style::Type, type)) +
              (state.empty() ? "" : "  " + out.paint(styleOfState(state), state)));
     writeDoc(out, textOf(part, "doc"), "  ");

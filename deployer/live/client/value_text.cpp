@@ -5,6 +5,7 @@
 #include "output.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -20,7 +21,7 @@ std::string numberText(const Json& number) {
     if (!number.is_number_float()) return lineOf(number);
     // The shortest text that reads back as the same number.
     char text[40];
-    for (const int digits : {6, 15, 17}) {
+    for (const int digits : {6, 15, 16, 17}) {
         std::snprintf(text, sizeof text, "%.*g", digits, number.get<double>());
         if (std::strtod(text, nullptr) == number.get<double>()) break;
     }
@@ -65,7 +66,7 @@ std::string valueText(const Json& value) {
 
 std::string shownText(const Json& object) {
     const std::string text = textOf(object, "text");
-    if (!text.empty()) return OCL::console::oneLine(printable(text));
+    if (!text.empty()) return OCL::console::valueOnOneLine(printable(text));
     const Json& value = memberOf(object, "value");
     return value.is_null() ? "" : valueText(value);
 }
@@ -107,6 +108,18 @@ const Json* memberAt(const Json& value, const std::string& path) {
         }
     }
     return now;
+}
+
+bool lacksElement(const Json& value, const std::string& path) {
+    for (std::size_t end = 0; end < path.size();) {
+        const Json* const sequence = memberAt(value, path.substr(0, end));
+        if (!sequence) return false;
+        const std::size_t begin = end;
+        end = std::min(path.find_first_of(".[", begin + 1), path.size());
+        const bool isIndex = path[begin] == '[' || std::isdigit(static_cast<unsigned char>(path[begin + 1]));
+        if (sequence->is_array() && isIndex && !memberAt(value, path.substr(0, end))) return true;
+    }
+    return false;
 }
 
 std::optional<double> asNumber(const Json& value) {

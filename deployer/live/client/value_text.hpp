@@ -25,6 +25,8 @@ std::string plainText(const Json& value);
 std::vector<std::pair<std::string, Json>> leavesOf(const Json& value);
 /** The member `pose.x` or `joints[2].y`, or null if there is none. The value itself for an empty path. */
 const Json* memberAt(const Json& value, const std::string& path);
+/** Whether the path leads to an element of a sequence that has fewer in this value. */
+bool lacksElement(const Json& value, const std::string& path);
 /** The value as number: also truths, and the texts of numbers that JSON does not have ("NaN", "Infinity"). */
 std::optional<double> asNumber(const Json& value);
 

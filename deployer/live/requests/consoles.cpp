@@ -184,8 +184,10 @@ void Consoles::line(const std::shared_ptr<Ticket>& ticket) {
     Session& session = sessionOf(ticket->caller().name);
     session.add(ticket, [&session, ticket, line](Terminal& terminal) {
         RTT::log(RTT::Info) << ticket->caller().name << " types: " << cut(line, kLogged) << RTT::endlog();
-        if (ticket->request().value("live", json()) == true)
-            terminal.outText.onFlush = [&ticket](const std::string& text) { ticket->say(text); };
+        const bool isLive = ticket->request().value("live", json()) == true;
+        // Its client sees what comes, and may ask for the end.
+        terminal.console.screen().canBeStopped = isLive;
+        if (isLive) terminal.outText.onFlush = [&ticket](const std::string& text) { ticket->say(text); };
         const bool whole = session.execute([&] { terminal.console.execute(line); });
         terminal.outText.onFlush = nullptr;
         terminal.out.clear();  // a lack of memory would silence all lines that follow

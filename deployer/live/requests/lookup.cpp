@@ -96,6 +96,20 @@ bool step(Found& at, Visits& visits, const Root& root, const std::string& part, 
     return named(), true;
 }
 
+/** The longest name of a member that the parts begin with, as one part: names may have dots. */
+std::vector<std::string> joined(RTT::Service& service, std::vector<std::string> parts) {
+    constexpr std::size_t kMostParts = 16;  // of one name
+    for (std::size_t count = std::min(parts.size(), kMostParts); count > 1; --count) {
+        std::string name = parts[0];
+        for (std::size_t i = 1; i != count; ++i) name += "." + parts[i];
+        if (!hasMember(service, name)) continue;
+        parts.erase(parts.begin() + 1, parts.begin() + static_cast<std::ptrdiff_t>(count));
+        parts[0] = std::move(name);
+        break;
+    }
+    return parts;
+}
+
 }  // namespace
 
 Found find(const Root& root, Visits& visits, const std::string& path) {
@@ -103,8 +117,11 @@ Found find(const Root& root, Visits& visits, const std::string& path) {
     Found at;
     enterComponent(at, visits, root.gate, root.name);
     std::size_t next = 0;
-    while (next < parts.size() && step(at, visits, root, parts[next], next == 0)) ++next;
-    at.rest.assign(parts.begin() + static_cast<std::ptrdiff_t>(next), parts.end());
+    for (;; ++next) {
+        at.rest = joined(*at.service, {parts.begin() + static_cast<std::ptrdiff_t>(next), parts.end()});
+        const bool isMember = !at.rest.empty() && at.rest.size() < parts.size() - next;
+        if (at.rest.empty() || isMember || !step(at, visits, root, parts[next], next == 0)) break;
+    }
     if (!at.rest.empty()) at.known = namesIn(at);
     return at;
 }

@@ -36,6 +36,7 @@ struct Found {
 };
 
 /** Follows a path from the deployer through peers and services as far as it leads. `list[2]` is the same as `list.2`.
+    Names of members may have dots; the longest one that exists is meant.
     An empty path is the deployer. Throws Failure if the deployer, or a component on the way, is gone. */
 Found find(const Root& root, Visits& visits, const std::string& path);
 /** The same for a component; throws Failure, with a hint, if the path leads to none. */

@@ -51,6 +51,10 @@ std::string whyNotCalled(const Asked& asked, const Found& at) {
 void checkSet(const Asked& asked, const FoundValue& found) {
     constexpr std::array ofLuaComponents = {"lua_string", "lua_file"};
     const std::string name = found.whole.substr(found.whole.rfind('.') + 1);
+    if (!asked.caller.rights.console && found.gate == asked.root.gate && name == "RTT_COMPONENT_PATH")
+        throw Failure(kNotAllowed, "'" + found.whole +
+                                       "' is where libraries are loaded from; only 'oro' on the same computer, without "
+                                       "--url, may set it");
     if (!asked.caller.rights.console && isOneOf(ofLuaComponents, name))
         throw Failure(kNotAllowed, "'" + found.whole +
                                        "' is code that the component executes; only 'oro' on the same computer, "

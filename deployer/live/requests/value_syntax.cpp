@@ -45,8 +45,15 @@ private:
     [[noreturn]] void wrong(const char* expected) const {
         const std::string found = at_ >= text_.size()               ? "the end of the value"
                                   : text_.compare(at_, 3, "…") == 0 ? "a value that was cut"
-                                                                    : "'" + text_.substr(at_, 1) + "'";
+                                                                    : "'" + letter() + "'";
         throw Failure(kWrongValue, "letter " + std::to_string(at_ + 1) + ": found " + found + ", expected " + expected);
+    }
+
+    /** The whole letter of UTF-8. */
+    std::string letter() const {
+        std::size_t end = at_ + 1;
+        while (end < text_.size() && (static_cast<unsigned char>(text_[end]) & 0xc0) == 0x80) ++end;
+        return text_.substr(at_, end - at_);
     }
 
     json value(unsigned depth) {
@@ -100,7 +107,7 @@ private:
         if (name == "true") return true;
         if (name == "false") return false;
         if (name == "null") return nullptr;
-        if (name == "nan") return "NaN";
+        if (name == "nan" || name == "-nan") return "NaN";
         if (name == "inf" || name == "+inf") return "Infinity";
         if (name == "-inf") return "-Infinity";
         return number(name);
@@ -122,7 +129,8 @@ private:
         }
         double real = 0;
         const auto [realEnd, realError] = std::from_chars(name.data() + (name[0] == '+' ? 1 : 0), last, real);
-        if (realError == std::errc() && realEnd == last && std::isdigit(static_cast<unsigned char>(name[sign])))
+        if (realError == std::errc() && realEnd == last &&
+            std::isdigit(static_cast<unsigned char>(name[sign + (name[sign] == '.' ? 1 : 0)])))
             return real;
         return name;
     }

@@ -2,7 +2,9 @@
 // Copyright Oroforge contributors
 #include "salvage.hpp"
 
+#include "compression.hpp"
 #include "scan.hpp"
+#include "summary.hpp"
 
 #include <cstring>
 #include <set>
@@ -17,20 +19,22 @@ constexpr std::size_t kChunkRoom = std::size_t(1) << 20;
 
 class Copy : public Visitor {
 public:
-    Copy(Sink& to, Salvaged& result) : writer_(to), result_(result), loose_(kChunkRoom) {}
+    /** If the summary has a checksum, its descriptions are right; those in front of the chunks may have changed. */
+    Copy(Sink& to, Salvaged& result, const Summary& summary)
+        : writer_(to),
+          result_(result),
+          summary_(summary),
+          isDescribed_(summary.hasChecksum && summary.describesAll()),
+          loose_(kChunkRoom) {}
 
-    void header(const Header& header) override {
-        if (!std::exchange(begun_, true)) (void)writer_.begin(header);
-    }
+    void header(const Header& header) override { begin(header); }
     void schema(const Schema& schema) override {
-        if (!schemas_.insert(schema.id).second) return;
         begin();
-        (void)writer_.add(schema);
+        if (!isDescribed_) add(schema);
     }
     void channel(const Channel& channel) override {
-        if (!channels_.insert(channel.id).second) return;
         begin();
-        (void)writer_.add(channel);
+        if (!isDescribed_) add(channel);
     }
     void metadata(const Metadata& metadata) override {
         begin();
@@ -39,6 +43,7 @@ public:
     }
     void problem(const Problem& problem) override {
         if (result_.problems.size() < kMostProblems) result_.problems.push_back(problem);
+        isSpoiled_ = isSpoiled_ || inChunk_;
     }
     void chunk(const ChunkHead& head, const Bytes& record, std::uint64_t) override {
         flush();
@@ -56,9 +61,13 @@ public:
     }
     void chunkEnd() override {
         inChunk_ = false;
-        indexMessages(entries_, packed_);
+        if (std::exchange(isSpoiled_, false)) {
+            addMessages();
+        } else {
+            indexMessages(entries_, packed_);
+            write();
+        }
         entries_.clear();
-        write();
     }
     void message(const Message& message) override {
         ++result_.messages;
@@ -74,8 +83,42 @@ public:
     }
 
 private:
-    void begin() {
-        if (!std::exchange(begun_, true)) (void)writer_.begin({"", "oroforge"});
+    /** Gives the messages of a chunk on, without those that are not described. */
+    class Described : public Visitor {
+    public:
+        explicit Described(Copy& to) : to_(to) {}
+        void message(const Message& message) override { to_.addLoose(message); }
+
+    private:
+        Copy& to_;
+    };
+
+    /** The chunk has records that are damaged, so it is not copied as it is. */
+    void addMessages() {
+        Bytes records;
+        std::string why;
+        if (!decompress(packed_.head.compression, packed_.packed.data(), packed_.packed.size(), packed_.head.size,
+                        records, why))
+            return;
+        ChunkReader chunk;
+        chunk.take(std::move(records));
+        Described described(*this);
+        visitRecords(chunk, 0, channels_, described);
+        flush();
+    }
+
+    void begin(const Header& header = {"", "oroforge"}) {
+        if (std::exchange(begun_, true)) return;
+        (void)writer_.begin(header);
+        if (!isDescribed_) return;
+        for (const auto& [id, schema] : summary_.schemas) add(schema);
+        for (const auto& [id, channel] : summary_.channels) add(channel);
+    }
+    void add(const Schema& schema) {
+        if (schemas_.insert(schema.id).second) (void)writer_.add(schema);
+    }
+    void add(const Channel& channel) {
+        if (channels_.insert(channel.id)) (void)writer_.add(channel);
     }
     void addLoose(const Message& message) {
         unsigned char* place = loose_.place(message.size);
@@ -101,18 +144,23 @@ private:
 
     Writer writer_;
     Salvaged& result_;
+    const Summary& summary_;
+    const bool isDescribed_;
     Chunk loose_;
     PackedChunk packed_;
-    bool begun_ = false, inChunk_ = false;
+    bool begun_ = false, inChunk_ = false, isSpoiled_ = false;
     std::vector<Chunk::Entry> entries_;
-    std::set<std::uint16_t> schemas_, channels_;
+    std::set<std::uint16_t> schemas_;
+    ChannelIds channels_;
 };
 
 }  // namespace
 
 Salvaged salvage(Source& from, Sink& to) {
     Salvaged result;
-    Copy copy(to, result);
+    Summary summary;
+    if (readSummary(from, summary)) summary = {};
+    Copy copy(to, result, summary);
     (void)scan(from, copy);
     copy.end();
     return result;

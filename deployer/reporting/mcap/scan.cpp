@@ -21,7 +21,7 @@ Problem lengthProblem(std::uint64_t offset) {
 
 /** Visits a record that is no chunk; a problem if it is damaged. `inChunk` is its place there. */
 Problem visitRecord(Op op, Cursor content, std::uint64_t offset, std::uint64_t inChunk, ChannelIds& known,
-                    Visitor& visitor) {
+                    Visitor& visitor, const FindChannels& find) {
     switch (op) {
         case Op::Header: {
             Header header;
@@ -45,10 +45,13 @@ Problem visitRecord(Op op, Cursor content, std::uint64_t offset, std::uint64_t i
         case Op::Message: {
             Message message;
             if (!get(content, message)) return lengthProblem(offset);
-            if (!known.has(message.channel))
+            if (!known.has(message.channel) && find) find();
+            if (!known.has(message.channel)) {
+                if (!known.report(message.channel)) return {};
                 return {"MCP007", offset,
-                        "a message belongs to channel " + std::to_string(message.channel) +
-                            ", which no record before it describes"};
+                        "messages belong to channel " + std::to_string(message.channel) +
+                            ", which no record before them describes"};
+            }
             message.offset = inChunk;
             visitor.message(message);
             return {};
@@ -162,12 +165,13 @@ private:
         if (!source_.read(begin + kRecordHead, content_.data(), content_.size()))
             return fail("MCP010", "the file cannot be read here");
         crc_ = crc32(content_.data(), content_.size(), crc_);
-        const Problem problem =
-            op == Op::Chunk ? chunk_.open(content_, begin, limits_)
-                            : visitRecord(op, {content_.data(), content_.size()}, begin, begin, known_, visitor_);
-        if (problem)
-            report(problem);
-        else if (op == Op::Chunk)
+        const Problem problem = op == Op::Chunk ? chunk_.open(content_, begin, limits_)
+                                                : visitRecord(op, {content_.data(), content_.size()}, begin, begin,
+                                                              known_, visitor_, find_);
+        if (problem) report(problem);
+        if (problem && (op == Op::Schema || op == Op::Channel))
+            useSummary();
+        else if (!problem && op == Op::Chunk)
             visitChunk(begin);
         return true;
     }
@@ -175,17 +179,13 @@ private:
     void visitChunk(std::uint64_t begin) {
         visitor_.chunk(chunk_.head(), content_, begin);
         Counting counting(visitor_, result_.problems);
-        visitRecords(chunk_, begin, known_, counting);
+        visitRecords(chunk_, begin, known_, counting, find_);
         visitor_.chunkEnd();
     }
 
     /** Goes on behind what is damaged, at a chunk that the index names; false if there is none. */
     bool skip() {
-        if (!summary_) {
-            summary_.reset(new Summary);
-            if (readSummary(source_, *summary_)) return false;
-            visitRepeated();
-        }
+        useSummary();
         for (const ChunkIndex& index : summary_->chunks)
             if (index.offset > at_ && index.offset < source_.size()) {
                 at_ = index.offset;
@@ -194,8 +194,11 @@ private:
         return false;
     }
 
-    /** The schemas and channels may be in what is skipped. */
-    void visitRepeated() {
+    /** The schemas and channels may be in what is damaged. */
+    void useSummary() {
+        if (summary_) return;
+        summary_.reset(new Summary);
+        if (readSummary(source_, *summary_)) *summary_ = {};
         for (const auto& [id, schema] : summary_->schemas) visitor_.schema(schema);
         for (const auto& [id, channel] : summary_->channels)
             if (known_.insert(id)) visitor_.channel(channel);
@@ -228,6 +231,7 @@ private:
     ChunkReader chunk_;
     ChannelIds known_;
     std::unique_ptr<Summary> summary_;
+    const FindChannels find_ = [this] { useSummary(); };
 };
 
 }  // namespace
@@ -251,9 +255,11 @@ Problem ChunkReader::open(const Bytes& content, std::uint64_t offset, const Limi
     return {};
 }
 
-void visitRecords(const ChunkReader& chunk, std::uint64_t offset, ChannelIds& known, Visitor& visitor) {
+void visitRecords(const ChunkReader& chunk, std::uint64_t offset, ChannelIds& known, Visitor& visitor,
+                  const FindChannels& find) {
     const Bytes& records = chunk.records();
     Cursor cursor(records.data(), records.size());
+    known.beginChunk();
     while (cursor.left() != 0) {
         const std::size_t at = cursor.position();
         const auto op = static_cast<Op>(cursor.number<std::uint8_t>());
@@ -263,7 +269,7 @@ void visitRecords(const ChunkReader& chunk, std::uint64_t offset, ChannelIds& kn
             return;
         }
         if (op != Op::Schema && op != Op::Channel && op != Op::Message) continue;
-        const Problem problem = visitRecord(op, content, offset, at, known, visitor);
+        const Problem problem = visitRecord(op, content, offset, at, known, visitor, find);
         if (problem) visitor.problem(problem);
     }
 }

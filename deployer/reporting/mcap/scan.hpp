@@ -10,6 +10,7 @@
 #include <bitset>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <utility>
 
 namespace oroforge::mcap {
@@ -46,7 +47,8 @@ struct Scanned {
 
 /**
  * Reads a file from its beginning, also one without its end. Damaged records are reported and left out. If the place of
- * the next record is unknown, it goes on with the next chunk that the file's index names.
+ * the next record is unknown, it goes on with the next chunk that the file's index names. A schema or channel whose
+ * record is damaged is taken from the index.
  *
  * Every length is compared with the bytes that are left before memory is taken.
  */
@@ -63,9 +65,16 @@ public:
         return isNew;
     }
     void insertAll() { ids_.set(); }
+    /** A channel that is not known is one problem of a chunk, however many messages belong to it. */
+    void beginChunk() { reported_.reset(); }
+    bool report(std::uint16_t id) {
+        const bool isNew = !reported_.test(id);
+        reported_.set(id);
+        return isNew;
+    }
 
 private:
-    std::bitset<std::size_t(1) << 16> ids_;
+    std::bitset<std::size_t(1) << 16> ids_, reported_;
 };
 
 /** What scan() does with the records of one chunk; `content` is that of its record, which begins at `offset`. */
@@ -84,8 +93,12 @@ private:
     Bytes records_;
 };
 
-/** Visits the records of a chunk. Messages whose channels are not among `known` are problems. */
-void visitRecords(const ChunkReader& chunk, std::uint64_t offset, ChannelIds& known, Visitor& visitor);
+/** Adds channels that are described elsewhere to those that are known. */
+using FindChannels = std::function<void()>;
+
+/** Visits the records of a chunk. Messages whose channels are not among `known`, also after `find`, are problems. */
+void visitRecords(const ChunkReader& chunk, std::uint64_t offset, ChannelIds& known, Visitor& visitor,
+                  const FindChannels& find = {});
 
 }  // namespace oroforge::mcap
 

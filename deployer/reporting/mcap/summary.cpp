@@ -66,6 +66,7 @@ Problem readSummary(Source& source, Summary& summary, const Limits& limits) {
     const auto crc = numberAt<std::uint32_t>(end + kFooter - 4);
     if (crc != 0 && crc32(end, kFooter - 4, crc32(bytes.data(), bytes.size())) != crc)
         return damaged(begin, "its checksum is wrong");
+    summary.hasChecksum = crc != 0;
     Cursor cursor(bytes.data(), bytes.size());
     while (cursor.left() != 0) {
         const std::uint64_t at = begin + cursor.position();

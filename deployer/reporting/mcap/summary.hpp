@@ -23,6 +23,7 @@ struct Summary {
     std::vector<ChunkIndex> chunks;  ///< in the order of the file
     std::vector<MetadataIndex> metadata;
     Statistics statistics;
+    bool hasChecksum = false;  ///< and it is right
 
     /** False if channels or schemas are described in front of it only: an index need not repeat them. */
     bool describesAll() const;

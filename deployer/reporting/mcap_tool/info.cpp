@@ -17,6 +17,12 @@
 namespace oroforge::mcap {
 namespace {
 
+/** Letters of a UTF-8 text. */
+std::size_t lettersOf(const std::string& text) {
+    return static_cast<std::size_t>(
+        std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
+}
+
 /** What a file has, and what is wrong with it. */
 class Counts : public Visitor {
 public:
@@ -81,12 +87,12 @@ private:
     void printTopics() const {
         std::size_t topic = 5, type = 4;
         for (const auto& [id, of] : channels_) {
-            topic = std::max(topic, of.channel.topic.size());
-            type = std::max(type, typeOf(of.channel).size());
+            topic = std::max(topic, lettersOf(of.channel.topic));
+            type = std::max(type, lettersOf(typeOf(of.channel)));
         }
         const auto line = [&](const std::string& one, const std::string& other) -> std::ostream& {
-            return std::cout << std::left << std::setw(static_cast<int>(topic)) << one << "  "
-                             << std::setw(static_cast<int>(type)) << other << std::right;
+            return std::cout << one << std::string(topic - lettersOf(one) + 2, ' ') << other
+                             << std::string(type - lettersOf(other), ' ');
         };
         line("topic", "type") << "  messages  missing\n";
         for (const auto& [id, of] : channels_)

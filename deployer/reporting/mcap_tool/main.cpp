@@ -3,6 +3,7 @@
 #include "commands.hpp"
 #include "plain_text.hpp"
 
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <optional>
@@ -11,6 +12,8 @@
 
 int main(int count, char** words) {
     using namespace oroforge::mcap;
+    // As `oro`: nothing is wrong if the reader of the output has seen enough.
+    std::signal(SIGPIPE, [](int) { _exit(0); });
     ToolOptions options;
     int status = kFailed;
     const PlainText errors(std::cerr);

@@ -13,6 +13,7 @@ using OCL::console::shortened;
 using OCL::console::Style;
 using OCL::console::Table;
 using OCL::console::Theme;
+using OCL::console::valueOnOneLine;
 using OCL::console::widthOf;
 using OCL::console::wrapped;
 using OCL::console::writeColumns;
@@ -92,6 +93,14 @@ TEST(Table, LettersOfSeveralBytesCountOnce) {
 }
 
 TEST(Table, OneLineJoinsBlanks) { EXPECT_EQ("a b c", oneLine("  a\n\tb   c \n")); }
+
+TEST(Table, ValuesOnOneLineKeepBlanksOfTexts) {
+    EXPECT_EQ("[1 2]", valueOnOneLine(" [1\n   2]\n"));
+    EXPECT_EQ(R"({a = "  b   c ", d = 1})", valueOnOneLine(R"({a =  "  b   c ",  d = 1})"));
+    EXPECT_EQ(R"("a \"  b")", valueOnOneLine(R"("a \"  b")"));
+    EXPECT_EQ(R"({c = '"', d = 1})", valueOnOneLine(R"({c = '"',   d = 1})"));
+    EXPECT_EQ("\"a b", valueOnOneLine("\"a\n\nb"));
+}
 
 TEST(Columns, GoDownAndThenRight) { EXPECT_EQ("  a  c\n  b  d\n", columns({"a", "b", "c", "d"}, 9)); }
 TEST(Columns, OneIfNothingElseFits) { EXPECT_EQ("  long\n  words\n", columns({"long", "words"}, 3)); }

@@ -98,6 +98,13 @@ TEST_F(RequestsTest, OnlyAConsoleReachesFilesAndPrograms) {
     EXPECT_THAT(failure("set", {{"path", "Arm.lua_string"}, {"value", "os.execute('x')"}}),
                 StartsWith("LIV005: 'Arm.lua_string' is code"));
     EXPECT_EQ("", code);
+    std::string path = "/opt", own = "/opt";
+    deployer->addProperty("RTT_COMPONENT_PATH", path);
+    arm->addProperty("RTT_COMPONENT_PATH", own);
+    for (const char* const name : {"RTT_COMPONENT_PATH", "this.RTT_COMPONENT_PATH", "Arm.Deployer.RTT_COMPONENT_PATH"})
+        EXPECT_THAT(failure("set", {{"path", name}, {"value", "/tmp"}}), StartsWith("LIV005: '")) << name;
+    EXPECT_EQ("/opt", path);
+    EXPECT_EQ("/tmp", result("set", {{"path", "Arm.RTT_COMPONENT_PATH"}, {"value", "/tmp"}})["value"]);
     rights.console = true;
     EXPECT_EQ(true, result("call", {{"path", "Arm.os.execute"}, {"arguments", {"touch x"}}})["value"]);
     EXPECT_EQ("return 1", result("set", {{"path", "Arm.lua_string"}, {"value", "return 1"}})["value"]);

@@ -79,5 +79,16 @@ TEST_F(RequestsTest, ALongLineHoldsUpNobodyAndIsInterrupted) {
     EXPECT_EQ("Deployer [S]> ", result("line", {{"line", ""}})["prompt"]);
 }
 
+TEST_F(RequestsTest, APortIsWatchedUntilTheClientInterrupts) {
+    for (const char* const command : {".watch Arm.out", ".hz Arm.out"}) {
+        auto line = askLater({{"op", "oro.line"}, {"line", command}, {"live", true}});
+        while (line.wait_for(std::chrono::milliseconds(1)) != std::future_status::ready) (void)result("interrupt");
+        const json answer = line.get()["result"];
+        EXPECT_EQ("", answer["err"]) << command;
+        EXPECT_EQ(true, answer["interrupted"]) << command;
+        EXPECT_THAT(result("line", {{"line", command}})["err"].get<std::string>(), HasSubstr("expected a number"));
+    }
+}
+
 }  // namespace
 }  // namespace live_test

@@ -61,6 +61,33 @@ TEST_F(RequestsTest, WholeNumbersHaveTheirWholeRange) {
     EXPECT_THAT(failure("set", {{"path", "Arm.number"}, {"text", "-9223372036854775809"}}), StartsWith("LIV006"));
 }
 
+TEST_F(RequestsTest, NumbersAreReadInAllTheirForms) {
+    for (const char* const text : {".5", "+.5", "0.5", "5e-1"})
+        EXPECT_EQ(0.5, result("set", {{"path", "Arm.gain"}, {"text", text}})["value"]) << text;
+    EXPECT_EQ(-0.5, result("set", {{"path", "Arm.gain"}, {"text", "-.5"}})["value"]);
+    for (const char* const text : {"nan", "-nan"})
+        EXPECT_EQ("NaN", result("set", {{"path", "Arm.gain"}, {"text", text}})["value"]) << text;
+    for (const char* const text : {".", "-", "+", ".e", "-.x", "--1"})
+        EXPECT_THAT(failure("set", {{"path", "Arm.gain"}, {"text", text}}), StartsWith("LIV006")) << text;
+    EXPECT_THAT(failure("set", {{"path", "Arm.gain"}, {"text", "ü"}}), HasSubstr("found 'ü'"));
+}
+
+TEST_F(RequestsTest, NamesOfMembersMayHaveDots) {
+    double level = 4;
+    RTT::OutputPort<double> dotted("out.b");
+    arm->addPort(dotted);
+    arm->addProperty("le.vel.x", level);
+    arm->addProperty("policy.size", level);
+    arm->provides("gripper")->addProperty("f.g", level);
+    EXPECT_EQ(4, result("get", {{"path", "Arm.le.vel.x"}})["value"]);
+    EXPECT_EQ(5, result("set", {{"path", "Arm.le.vel.x"}, {"value", 5}})["value"]);
+    EXPECT_EQ("port", result("show", {{"path", "Arm.out.b"}})["kind"]);
+    EXPECT_EQ(5, result("get", {{"path", "Arm.policy.size"}})["value"]);
+    EXPECT_EQ(5, result("get", {{"path", "Arm.gripper.f.g"}})["value"]);
+    EXPECT_THAT(failure("get", {{"path", "Arm.le.vel"}}), HasSubstr("'le' in 'Arm'"));
+    arm->ports()->removePort("out.b");
+}
+
 TEST_F(RequestsTest, AFieldHasOneValue) {
     EXPECT_THAT(failure("set", {{"path", "Arm.policy"}, {"text", "{size = 5, size = 6}"}}),
                 HasSubstr("field 'size' has two values"));

@@ -33,11 +33,13 @@ class Deployed(OroCase):
         out, _ = self.oro("list")
         self.assertRegex(out, rf"Deployer  {self.deployer.pid}  \d{{4}}-\d\d-\d\d \d\d:\d\d:\d\d  2 +1 \w+, 1 \w+\n")
         found = json.loads(self.oro("list", "--format=json")[0])[0]
+        self.assertEqual(out, self.oro("-d", found["socket"], "list")[0])
         self.assertEqual((self.deployer.pid, "gnulinux", ["app.ops"]), (found["pid"], found["target"], found["files"]))
 
     def test_what_is_there_is_shown(self):
         out, _ = self.oro("tree")
         self.assertIn("tank  filling::Tank  Running  2 properties, ", out)
+        self.assertIn("Component Deployer  OCL::DeploymentComponent", self.oro("show", "Deployer")[0])
         out, _ = self.oro("show", "tank")
         self.assertIn("Component tank  filling::Tank  Running\n", out)
         self.assertIn("    capacity  double  = 1.5      m3  What it holds.\n", out)
@@ -54,7 +56,9 @@ class Deployed(OroCase):
     def test_values_are_set_and_operations_called(self):
         self.assertEqual("2\n", self.oro("set", "tank.capacity", "2")[0])
         self.assertEqual("-0.5\n", self.oro("set", "tank.capacity", "-0.5")[0])
-        self.assertEqual('"salt water"\n', self.oro("set", "tank.label", "salt water")[0])
+        for number in "-inf", "-nan":
+            self.assertEqual(number.replace("-nan", "nan") + "\n", self.oro("set", "tank.capacity", number)[0])
+        self.assertEqual('"salt   water"\n', self.oro("set", "tank.label", "salt   water")[0])
         self.oro("set", "tank.capacity", "much", status=1)
         self.oro("set", "tank.capacity", "1.5")
         self.assertEqual("true\n", self.oro("call", "tank.fill", "0.75")[0])

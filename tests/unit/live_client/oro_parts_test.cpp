@@ -88,6 +88,18 @@ TEST(OroValues, AreWrittenAsInTheConsole) {
     EXPECT_EQ("[0, 0, 0, 0, 0, 0, 0, 0, 0, 0, … 90 more]", valueText(Json(std::vector<int>(100, 0))));
 }
 
+TEST(OroValues, KeepTheBlanksOfTexts) {
+    EXPECT_EQ(R"("a   b")", shownText({{"text", R"("a   b")"}}));
+    EXPECT_EQ("[1 2]", shownText({{"text", "[1\n   2]"}}));
+}
+
+TEST(OroValues, MayLackElements) {
+    const Json value = parsed(R"({"list": [1], "points": [{"x": 1}]})");
+    for (const char* const path : {"list[1]", "list.1", "points[3].x"}) EXPECT_TRUE(lacksElement(value, path)) << path;
+    for (const char* const path : {"list[0]", "lost[0]", "points[0].y", "points.x", "", "list."})
+        EXPECT_FALSE(lacksElement(value, path)) << path;
+}
+
 TEST(OroValues, HaveMembersByPath) {
     const Json value = parsed(R"({"pose": {"x": 1, "n": null}, "joints": [{"q": 5}, {"q": 6}]})");
     EXPECT_EQ(Json(1), *memberAt(value, "pose.x"));

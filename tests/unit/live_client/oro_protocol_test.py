@@ -231,6 +231,12 @@ class Samples(OroCase):
         _, err = self.oro("echo", "tank.level", "--once", "--field", "nam", status=1)
         self.assertIn("samples of port 'tank.level' have no field 'nam'; did you mean 'name'?; they have x, name, list[0]", err)
 
+    def test_samples_whose_sequence_is_shorter_are_left_out(self):
+        self.fake(lambda c, r: port(c, r, [{"value": {"list": list(range(n))}} for n in (0, 3, 1, 4)]))
+        out, err = self.oro("echo", "tank.level.list[2]", "--count", "2")
+        self.assertEqual("2\n2\n", out)
+        self.assertEqual(1, err.count("samples without 'list[2]'"))
+
     def test_the_reader_of_a_pipe_that_goes_ends_it(self):
         self.fake(lambda c, r: port(c, r, [{}]))
         shell = subprocess.run(["bash", "-c", f"set -o pipefail; {ORO} echo tank.level | head -1"], env=self.own(), text=True,

@@ -11,6 +11,7 @@
 namespace {
 
 using namespace mcap_test;
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -188,6 +189,61 @@ TEST_P(Recording, WhoseFirstLengthIsWrongIsReadByItsIndex) {
     EXPECT_EQ(messages, salvaged.messages);
 }
 
+/** With a wrong length in the description of the channel 2, in front of the chunks. */
+Bytes withoutChannel(Bytes bytes) {
+    const std::string topic = "/a/second";
+    const auto at = std::search(bytes.begin(), bytes.end(), topic.begin(), topic.end());
+    putNumber<std::uint32_t>(&*at - 4, 1000000);
+    return bytes;
+}
+
+TEST_P(Recording, TakesADamagedChannelFromItsIndex) {
+    const Bytes bytes = withoutChannel(file.bytes());
+    const Found found(bytes);
+    EXPECT_THAT(codesOf(found.problems), ElementsAre("MCP005"));
+    EXPECT_EQ(messages, found.messages);
+    MemorySource source(bytes.data(), bytes.size());
+    MemorySink sink;
+    EXPECT_EQ(messages.size(), salvage(source, sink).messages);
+    const Found salvaged(sink.bytes);
+    EXPECT_TRUE(salvaged.problems.empty());
+    EXPECT_EQ(messages, salvaged.messages);
+}
+
+TEST_P(Recording, IsSalvagedWithTheDescriptionsThatHaveAChecksum) {
+    Bytes bytes = file.bytes();
+    for (const std::string text : {"string data", "/a/second"}) {
+        const auto at = std::search(bytes.begin(), bytes.end(), text.begin(), text.end());
+        *at = '#';
+    }
+    MemorySource source(bytes.data(), bytes.size());
+    MemorySink sink;
+    const Salvaged salvaged = salvage(source, sink);
+    EXPECT_THAT(codesOf(salvaged.problems), ElementsAre("MCP003"));
+    const Found found(sink.bytes);
+    EXPECT_TRUE(found.problems.empty());
+    EXPECT_EQ("string data\n", found.schemas.at(0).data);
+    EXPECT_EQ("/a/second", found.channels.at(1).topic);
+    EXPECT_EQ(messages, found.messages);
+}
+
+TEST_P(Recording, IsSalvagedWithoutMessagesThatNothingDescribes) {
+    Bytes bytes = withoutChannel(file.bytes());
+    bytes.resize(file.dataEnd);
+    std::vector<Told> described;
+    for (const Told& message : messages)
+        if (std::get<0>(message) == 1) described.push_back(message);
+    const Found found(bytes);
+    EXPECT_THAT(codesOf(found.problems), Contains("MCP007").Times(static_cast<int>(file.chunks.size())));
+    EXPECT_EQ(described, found.messages);
+    MemorySource source(bytes.data(), bytes.size());
+    MemorySink sink;
+    EXPECT_EQ(described.size(), salvage(source, sink).messages);
+    const Found salvaged(sink.bytes);
+    EXPECT_TRUE(salvaged.problems.empty());
+    EXPECT_EQ(described, salvaged.messages);
+}
+
 TEST_P(Recording, TakesNoMemoryForWhatAChunkPromises) {
     Bytes bytes = file.bytes();
     putNumber<std::uint64_t>(&bytes[file.chunks[1] + kRecordHead + 16], std::uint64_t(1) << 31);  // its size
@@ -287,7 +343,8 @@ TEST(DamagedFile, TextLongerThanItsRecordIsReported) {
     const Found found(sink.bytes);
     ASSERT_THAT(codesOf(found.problems), ElementsAre("MCP005"));
     EXPECT_EQ(begin, found.problems[0].offset);
-    EXPECT_TRUE(found.schemas.empty());
+    ASSERT_EQ(1U, found.schemas.size());  // that of the index
+    EXPECT_EQ("a", found.schemas[0].name);
 }
 
 TEST(DamagedFile, IndexIsRefusedIfAnyByteOfItHasChanged) {

@@ -39,6 +39,36 @@ TEST_F(Tool, CatPrintsJson) {
                 HasSubstr("run.mcap: error: there is no topic '/tank/cont'; did you mean '/tank/count'?"));
 }
 
+TEST_F(Tool, CatPrintsUtf8) {
+    record("run.mcap", {{1, 0, 0, level(1, "ü\xff\xc3|\xed\xa0\x80\xf0\x9f\x98\x80", 0)}});
+    EXPECT_THAT(expect(0, {"cat", "run.mcap"}).out,
+                HasSubstr("\"name\": \"ü\ufffd\ufffd|\ufffd\ufffd\ufffd\U0001f600\""));
+}
+
+TEST_F(Tool, AReaderThatHasSeenEnoughIsNoError) {
+    std::vector<Told> many;
+    for (std::uint32_t i = 0; i != 3000; ++i) many.emplace_back(1, i, i, level(i, std::string(100, 'x'), 1));
+    record("run.mcap", many);
+    Command command;
+    command.program = "/bin/bash";
+    command.arguments = {"-c", std::string("set -o pipefail; '") + TOOL_PROGRAM + "' cat run.mcap | head -n 1 | wc -l"};
+    command.directory = directory.path();
+    const Outcome outcome = oroforge::test::run(command);
+    EXPECT_EQ(0, outcome.status);
+    EXPECT_EQ("1\n", outcome.out);
+}
+
+TEST_F(Tool, InfoHasColumnsForLettersOfSeveralBytes) {
+    MemorySink sink;
+    Writer writer(sink);
+    EXPECT_TRUE(writer.begin({"ros2", "a test"}) && writer.add(Channel{1, 0, "/größe", "cdr", {}}));
+    EXPECT_TRUE(writer.add(Channel{2, 0, "/length", "cdr", {}}) && writer.finish());
+    directory.write("run.mcap", std::string(sink.bytes.begin(), sink.bytes.end()));
+    EXPECT_THAT(expect(0, {"info", "run.mcap"}).out, HasSubstr("topic    type  messages  missing\n"
+                                                               "/größe   -            0        0\n"
+                                                               "/length  -            0        0\n"));
+}
+
 TEST_F(Tool, TextsOfAFileDoNotCommandTheTerminal) {
     MemorySink sink;
     Writer writer(sink);
