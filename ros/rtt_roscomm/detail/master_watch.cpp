@@ -7,6 +7,7 @@
 #include <ros/master.h>
 #include <ros/network.h>
 #include <ros/publication.h>
+#include <ros/service_manager.h>
 #include <ros/this_node.h>
 #include <ros/topic_manager.h>
 #include <ros/xmlrpc_manager.h>
@@ -203,11 +204,18 @@ bool MasterWatch::registerAll() {
         });
         ++users_;
     }
+    // Those that roscpp itself offers.
+    std::size_t count = published.size() + subscribed.size() + services.size();
+    for (const char* const own : {"/get_loggers", "/set_logger_level"}) {
+        const std::string name = ros::this_node::getName() + own;
+        if (!ros::ServiceManager::instance()->lookupServicePublication(name)) continue;
+        if (!isWatching() || !registerService(name, node)) return false;
+        ++count;
+    }
     for (const std::string& topic : subscribed)
         if (!isWatching() || !registerSubscriber(topic, node)) return false;
     for (const std::string& topic : published)
         if (!isWatching() || !registerPublisher(topic, node)) return false;
-    const std::size_t count = published.size() + subscribed.size() + services.size();
     if (count != 0)
         RTT::log(RTT::Info) << "the ROS master did not know this node any more; its " << count
                             << " topics and services are registered again" << RTT::endlog();
