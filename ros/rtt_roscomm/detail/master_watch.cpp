@@ -13,6 +13,7 @@
 #include <ros/xmlrpc_manager.h>
 #include <rtt/Logger.hpp>
 #include <rtt/os/StartStopManager.hpp>
+#include <rtt_ros/node.hpp>
 #include <rtt_ros/xml_rpc.hpp>
 #include <rtt_roscomm/detail/normal_thread.hpp>
 #include <rtt_roscomm/node_state.hpp>
@@ -140,7 +141,10 @@ void MasterWatch::run() {
     std::unique_lock<std::mutex> lock(mutex_);
     while (!isStopped_ && users_ != 0) {
         lock.unlock();
-        if (!ros::isShuttingDown()) look();
+        if (ros::isShuttingDown())
+            tellIfNodeIsLost();
+        else
+            look();
         lock.lock();
         changed_.wait_for(lock, std::chrono::seconds(1), [this] { return isStopped_ || users_ == 0; });
     }
@@ -163,6 +167,15 @@ void MasterWatch::look() {
     workKept();
     isForgotten_ = isForgotten_ || master == Master::New;
     if (isForgotten_) isForgotten_ = !registerAll();
+}
+
+void MasterWatch::tellIfNodeIsLost() {
+    if (isLost_ || !rtt_ros::isNodeLost()) return;
+    isLost_ = true;
+    RTT::log(RTT::Error) << "the ROS node " << ros::this_node::getName()
+                         << " has been shut down, because another node took its name, or by 'rosnode kill' or "
+                            "ros::shutdown(). Its topics and services are gone until the program is started again"
+                         << RTT::endlog();
 }
 
 MasterWatch::Master MasterWatch::ask() const {
