@@ -55,6 +55,7 @@ if [ -d "$_oroforge_prefix/lib/cmake/orocos-rtt" ]; then
     _oroforge_put RTT_COMPONENT_PATH "$_oroforge_prefix/lib/orocos"
     if [ -d "$_oroforge_prefix/share/rtt_ros" ]; then
         _oroforge_put ROS_PACKAGE_PATH "$_oroforge_prefix/share"
+        _oroforge_put PYTHONPATH "$_oroforge_prefix/lib/python3/dist-packages"
     fi
     # The programs want to know which target; where there is but one, it is meant.
     if [ -z "${OROCOS_TARGET:-}" ]; then

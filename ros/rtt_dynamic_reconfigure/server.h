@@ -59,7 +59,8 @@ bool getProperty(const std::string& name, const RTT::PropertyBag& bag, ValueType
 /** By the functions that are generated for a .cfg file. */
 template <class ConfigType>
 class GeneratedModel final : public ConfigModel {
-    typedef Updater<ConfigType> Update;
+    /** Of a specialisation, the functions may be static, or members that are not. */
+    Updater<ConfigType> updater_;
 
 public:
     void describe(const RTT::PropertyBag&, Limits& limits,
@@ -73,7 +74,7 @@ public:
         describe(ConfigType::__getMax__(), limits.max, description.max);
     }
     void read(const RTT::PropertyBag& properties, dynamic_reconfigure::Config& config) override {
-        (void)Update::configFromProperties(present_, properties);
+        (void)updater_.configFromProperties(present_, properties);
         config = dynamic_reconfigure::Config();
         present_.__toMessage__(config);
     }
@@ -82,18 +83,18 @@ public:
         next_ = present_;
         dynamic_reconfigure::Config values = config;
         (void)next_.__fromMessage__(values);
-        return Update::propertiesFromConfig(next_, level, bag);
+        return updater_.propertiesFromConfig(next_, level, bag);
     }
     /** Parameters without a property have their values here. */
     void accept() override { present_ = next_; }
 
 private:
-    static void describe(const ConfigType& limit, RTT::PropertyBag& bag, dynamic_reconfigure::Config& message) {
+    void describe(const ConfigType& limit, RTT::PropertyBag& bag, dynamic_reconfigure::Config& message) {
         ConfigType config = limit;
         if (bag.empty())
-            (void)Update::propertiesFromConfig(config, ~std::uint32_t(0), bag);
+            (void)updater_.propertiesFromConfig(config, ~std::uint32_t(0), bag);
         else
-            (void)Update::configFromProperties(config, bag);
+            (void)updater_.configFromProperties(config, bag);
         message = dynamic_reconfigure::Config();
         config.__toMessage__(message, ConfigType::__getParamDescriptions__(), ConfigType::__getGroupDescriptions__());
     }

@@ -195,6 +195,12 @@ bool isNodeReady(std::string& why) {
     return silence.empty();
 }
 
+bool isNodeLost() {
+    Node& self = node();
+    const std::lock_guard<std::mutex> lock(self.mutex);
+    return !self.ended && ros::isInitialized() && ros::isShuttingDown();
+}
+
 bool startNode() {
     Node& self = node();
     const std::lock_guard<std::mutex> lock(self.mutex);

@@ -21,6 +21,10 @@ bool isNode(std::string& why);
     without end for one that is stopped. */
 bool isNodeReady(std::string& why);
 
+/** Has something else ended the node: `rosnode kill`, the master because another node took its name, or a call of
+    ros::shutdown()? */
+bool isNodeLost();
+
 /**
  * Makes this process a ROS node with the arguments of __os_init(), unless it is one, and starts a spinner for the
  * callbacks of the global queue, with as many threads as parameter `~spinner_threads` says. Without a master, logs

@@ -82,11 +82,15 @@ ChannelElementBase::shared_ptr newTopicChannel(RTT::base::PortInterface& port, c
         why = "its type has no default value";
     else if (policy.pull)
         why = "the samples of a topic cannot be pulled; set policy.pull to false";
-    else if (!isSender && policy.name_id.empty())
-        why = "policy.name_id is empty";
-    else if (!isSender)
+    else if (!isSender || !policy.name_id.empty())
+        why = detail::whyNoTopic(policy.name_id);
+    if (!why.empty()) {
+        detail::tellRefused(detail::describe(port), policy.name_id, why);
+        return nullptr;
+    }
+    if (!isSender)
         return new SubscribeChannel(port, policy, std::move(format));
-    else if (const TopicWriter::Pointer writer = TopicWriter::make(port, policy, std::move(format), why))
+    if (const TopicWriter::Pointer writer = TopicWriter::make(port, policy, std::move(format), why))
         return new PublishChannel(writer);
     detail::tellRefused(detail::describe(port), policy.name_id, why);
     return nullptr;

@@ -10,14 +10,17 @@
 #include <rtt/plugin/Plugin.hpp>
 #include <rtt_ros/node.hpp>
 #include <rtt_ros/rtt_ros.h>
+#include <rtt_roscomm/rtt_rosservice_proxy.h>
+#include <rtt_roscomm/service_server.hpp>
 #include <rtt_ros_msgs/Eval.h>
 #include <rtt_ros_msgs/GetPeerList.h>
 #include <rtt_ros_msgs/RunScript.h>
 
-#include <ros/node_handle.h>
-
+#include <array>
+#include <cstddef>
 #include <exception>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -30,7 +33,7 @@ typedef std::vector<std::string> Names;
 class Deployment : public RTT::Service {
 public:
     explicit Deployment(OCL::DeploymentComponent& deployer)
-        : RTT::Service("rosdeployment", &deployer), deployer_(deployer), node_("~" + deployer.getName()) {
+        : RTT::Service("rosdeployment", &deployer), deployer_(deployer) {
         doc("Executes code and scripts in the deployer, for programs of ROS.");
         addOperation("eval", &Deployment::eval, this, RTT::OwnThread)
             .doc("Executes code of the scripting language. False if it has errors or fails.")
@@ -42,12 +45,28 @@ public:
         bind(eval_, "eval");
         bind(run_script_, "runScript");
         bind(peers_, "getPeerList");
-        servers_ = {node_.advertiseService("eval", &Deployment::onEval, this),
-                    node_.advertiseService("run_script", &Deployment::onRunScript, this),
-                    node_.advertiseService("get_peer_list", &Deployment::onGetPeerList, this)};
     }
-    ~Deployment() override {
-        for (ros::ServiceServer& server : servers_) server.shutdown();
+
+    /** False, with an error logged, if a service cannot be offered. */
+    bool offer() {
+        using namespace rtt_ros_msgs;
+        const bool isOffered =
+            serve<Eval>(0, "eval", "eval",
+                        [eval = eval_](const Eval::Request& request, Eval::Response& response) mutable {
+                            response.success = eval(request.code);
+                            return true;
+                        }) &&
+            serve<RunScript>(1, "run_script", "runScript",
+                             [run = run_script_](const RunScript::Request& request, RunScript::Response& response) mutable {
+                                 response.success = run(request.file_path);
+                                 return true;
+                             }) &&
+            serve<GetPeerList>(2, "get_peer_list", "getPeerList",
+                               [list = peers_](const GetPeerList::Request&, GetPeerList::Response& response) mutable {
+                                   response.peers = list();
+                                   return true;
+                               });
+        return isOffered;
     }
 
 private:
@@ -55,6 +74,14 @@ private:
     template <class Caller>
     void bind(Caller& caller, const char* operation) {
         caller = Caller(getOperation(operation), RTT::internal::GlobalEngine::Instance());
+    }
+    template <class SRV, class Function>
+    bool serve(std::size_t number, const std::string& name, const std::string& operation, Function function) {
+        const boost::shared_ptr<rtt_roscomm::ServiceAnswer> answer(new rtt_roscomm::FunctionAnswer<SRV>(
+            "operation '" + operation + "' of '" + deployer_.getName() + "'", *getOperation(operation),
+            std::move(function)));
+        return servers_.at(number).advertise("~" + deployer_.getName() + '/' + name,
+                                             rtt_roscomm::serviceTypeOf<SRV>(), answer);
     }
 
     bool eval(const std::string& code) {
@@ -66,34 +93,10 @@ private:
     bool runScript(const std::string& file) { return deployer_.runScript(file); }
     Names peers() { return deployer_.getPeerList(); }
 
-    /** Returns false, which fails the call of the service, if the deployer does not answer, as at its end. */
-    template <class Call>
-    bool answered(const char* service, Call call) {
-        try {
-            call();
-            return true;
-        } catch (const std::exception& thrown) {
-            log(RTT::Error) << "service " << service << " of ROS: " << thrown.what() << endlog();
-        } catch (...) {
-            log(RTT::Error) << "service " << service << " of ROS: an unknown exception was thrown" << endlog();
-        }
-        return false;
-    }
-    bool onEval(rtt_ros_msgs::Eval::Request& request, rtt_ros_msgs::Eval::Response& response) {
-        return answered("eval", [&] { response.success = eval_(request.code); });
-    }
-    bool onRunScript(rtt_ros_msgs::RunScript::Request& request, rtt_ros_msgs::RunScript::Response& response) {
-        return answered("run_script", [&] { response.success = run_script_(request.file_path); });
-    }
-    bool onGetPeerList(rtt_ros_msgs::GetPeerList::Request&, rtt_ros_msgs::GetPeerList::Response& response) {
-        return answered("get_peer_list", [&] { response.peers = peers_(); });
-    }
-
     OCL::DeploymentComponent& deployer_;
     RTT::OperationCaller<bool(const std::string&)> eval_, run_script_;
     RTT::OperationCaller<Names()> peers_;
-    ros::NodeHandle node_;
-    std::vector<ros::ServiceServer> servers_;
+    std::array<rtt_roscomm::ServedService, 3> servers_;
 };
 
 bool refuse(const std::string& why) {
@@ -109,7 +112,8 @@ bool loadInto(RTT::TaskContext& component) {
     if (!rtt_ros::import("rtt_rosnode")) return refuse("rtt_rosnode cannot be imported");
     if (!rtt_ros::isNodeReady(why)) return refuse(why);
     try {
-        return deployer->provides()->addService(RTT::Service::shared_ptr(new Deployment(*deployer)));
+        const boost::shared_ptr<Deployment> service(new Deployment(*deployer));
+        return service->offer() && deployer->provides()->addService(service);
     } catch (const std::exception& thrown) {
         return refuse(thrown.what());  // the name of the deployer cannot be one of ROS
     }

@@ -7,11 +7,13 @@
 #include <ros/master.h>
 #include <ros/network.h>
 #include <ros/publication.h>
+#include <ros/service_manager.h>
 #include <ros/this_node.h>
 #include <ros/topic_manager.h>
 #include <ros/xmlrpc_manager.h>
 #include <rtt/Logger.hpp>
 #include <rtt/os/StartStopManager.hpp>
+#include <rtt_ros/node.hpp>
 #include <rtt_ros/xml_rpc.hpp>
 #include <rtt_roscomm/detail/normal_thread.hpp>
 #include <rtt_roscomm/node_state.hpp>
@@ -139,7 +141,10 @@ void MasterWatch::run() {
     std::unique_lock<std::mutex> lock(mutex_);
     while (!isStopped_ && users_ != 0) {
         lock.unlock();
-        if (!ros::isShuttingDown()) look();
+        if (ros::isShuttingDown())
+            tellIfNodeIsLost();
+        else
+            look();
         lock.lock();
         changed_.wait_for(lock, std::chrono::seconds(1), [this] { return isStopped_ || users_ == 0; });
     }
@@ -162,6 +167,15 @@ void MasterWatch::look() {
     workKept();
     isForgotten_ = isForgotten_ || master == Master::New;
     if (isForgotten_) isForgotten_ = !registerAll();
+}
+
+void MasterWatch::tellIfNodeIsLost() {
+    if (isLost_ || !rtt_ros::isNodeLost()) return;
+    isLost_ = true;
+    RTT::log(RTT::Error) << "the ROS node " << ros::this_node::getName()
+                         << " has been shut down, because another node took its name, or by 'rosnode kill' or "
+                            "ros::shutdown(). Its topics and services are gone until the program is started again"
+                         << RTT::endlog();
 }
 
 MasterWatch::Master MasterWatch::ask() const {
@@ -203,11 +217,18 @@ bool MasterWatch::registerAll() {
         });
         ++users_;
     }
+    // Those that roscpp itself offers.
+    std::size_t count = published.size() + subscribed.size() + services.size();
+    for (const char* const own : {"/get_loggers", "/set_logger_level"}) {
+        const std::string name = ros::this_node::getName() + own;
+        if (!ros::ServiceManager::instance()->lookupServicePublication(name)) continue;
+        if (!isWatching() || !registerService(name, node)) return false;
+        ++count;
+    }
     for (const std::string& topic : subscribed)
         if (!isWatching() || !registerSubscriber(topic, node)) return false;
     for (const std::string& topic : published)
         if (!isWatching() || !registerPublisher(topic, node)) return false;
-    const std::size_t count = published.size() + subscribed.size() + services.size();
     if (count != 0)
         RTT::log(RTT::Info) << "the ROS master did not know this node any more; its " << count
                             << " topics and services are registered again" << RTT::endlog();

@@ -35,6 +35,7 @@ private:
     MasterWatch() = default;
     void run();
     void look();
+    void tellIfNodeIsLost();
     Master ask() const;
     bool registerAll();
     bool isWatching();
@@ -46,7 +47,7 @@ private:
     std::vector<std::function<void()>> kept_;
     unsigned users_ = 0;
     bool isRunning_ = false, isStopped_ = false;
-    bool isAway_ = false, isForgotten_ = false;  // of the watch's thread
+    bool isAway_ = false, isForgotten_ = false, isLost_ = false;  // of the watch's thread
 };
 
 }  // namespace rtt_roscomm::detail

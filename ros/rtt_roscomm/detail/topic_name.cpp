@@ -52,6 +52,12 @@ std::string nameWithin(const std::string& name) {
     return name.substr(name[1] == '/' ? 2 : 1);
 }
 
+std::string whyNoTopic(const std::string& name) {
+    if (name.find_first_not_of('/', name[0] == '~') != std::string::npos) return "";
+    if (name[0] == '~') return "it is the namespace of the node; name a topic in it, such as ~x";
+    return name.empty() ? "policy.name_id is empty" : "it has slashes only; name a topic";
+}
+
 std::string whyRefused(const std::string& topic, const MessageFormat& format) {
     const ros::PublicationPtr other = ros::TopicManager::instance()->lookupPublication(topic);
     if (other && other->getMD5Sum() != format.md5())

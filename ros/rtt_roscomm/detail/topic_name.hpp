@@ -28,6 +28,9 @@ std::string newTopicName(const RTT::base::PortInterface& port);
 std::string namespaceOf(const std::string& name);
 std::string nameWithin(const std::string& name);
 
+/** Why no topic can have this name, which roscpp would not tell, or would take. Empty if one can. */
+std::string whyNoTopic(const std::string& name);
+
 /** Why roscpp refused the topic, of that resolved name. */
 std::string whyRefused(const std::string& topic, const MessageFormat& format);
 /** Logs a warning if others publish or receive another type of message there. Asks the master. */

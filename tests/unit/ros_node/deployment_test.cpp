@@ -10,7 +10,10 @@
 #include <gmock/gmock.h>
 #include <ros/ros.h>
 
+#include <chrono>
 #include <csignal>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -20,6 +23,14 @@ using oroforge::test::Outcome;
 using oroforge::test::RosMaster;
 using oroforge::test::TempDir;
 using testing::HasSubstr;
+
+/** What rosservice prints, which reads the types in Python. */
+std::string byTool(const std::string& service, const std::string& argument = "") {
+    std::vector<std::string> words{"rosservice", "call", "/n/Deployer/" + service};
+    if (!argument.empty()) words.push_back(argument);
+    const Outcome called = RosMaster::tool(words);
+    return called.out + called.err;
+}
 
 TEST(RosDeployment, ADeployerIsUsedByServices) {
     useToolchain();
@@ -50,10 +61,23 @@ TEST(RosDeployment, ADeployerIsUsedByServices) {
     rtt_ros_msgs::GetPeerList list;
     ASSERT_TRUE(ros::service::call("/n/Deployer/get_peer_list", list));
     EXPECT_THAT(list.response.peers, testing::IsSupersetOf({"one", "two"}));
+    EXPECT_THAT(byTool("eval", "print.ln(\"from a tool\")"), HasSubstr("success: True"));
+    EXPECT_THAT(byTool("run_script", "none.ops"), HasSubstr("success: False"));
+    EXPECT_THAT(byTool("get_peer_list"), HasSubstr("  - one\n  - two\n"));
+    master.stop();
+    ASSERT_TRUE(master.start());
+    EXPECT_TRUE(becomes([] { return ros::service::exists("/n/Deployer/eval", false); })) << "known to a new master";
+    EXPECT_TRUE(becomes([] { return ros::service::exists("/n/set_logger_level", false); }));
+    ros::shutdown();
+    master.send(SIGSTOP);
+    const auto begin = std::chrono::steady_clock::now();
     deployer.send(SIGINT);
     const Outcome ended = deployer.finish();
+    master.send(SIGCONT);
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(6))
+        << "a stopped master is not waited for";
     EXPECT_EQ(0, ended.status) << ended.out << ended.err;
-    ros::shutdown();
+    EXPECT_THAT(ended.out, HasSubstr("from a tool"));
 }
 
 TEST(RosDeployment, NeedsANodeAndADeployer) {

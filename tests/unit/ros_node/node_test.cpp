@@ -114,6 +114,28 @@ a.start()
 b.start()
 )";
 
+TEST_F(RosNodeProgram, TellsThatAnotherNodeTookItsName) {
+    const RosMaster master;
+    folder_.write("x.ops",
+                  "import(\"rtt_ros\")\nros.import(\"rtt_rosnode\")\nros.import(\"rtt_std_msgs\")\n"
+                  "loadComponent(\"hello\", \"OCL::HelloWorld\")\nloadService(\"Deployer\", \"print\")\n"
+                  "stream(\"hello.the_results\", ros.topic(\"/chatter\"))\nprint.ln(\"ready\")\n");
+    ChildProcess first(program("deployer", {"-s", "x.ops", "--", "__name:=n"}, folder_));
+    ASSERT_TRUE(first.waitForOutput("ready", std::chrono::seconds(10)));
+    ChildProcess second(program("deployer", {"-s", "x.ops", "--", "__name:=n"}, folder_));
+    ASSERT_TRUE(second.waitForOutput("ready", std::chrono::seconds(10)));
+    std::this_thread::sleep_for(std::chrono::seconds(2));
+    EXPECT_THAT(RosMaster::tool({"rostopic", "list"}).out, HasSubstr("/chatter"));
+    first.send(SIGINT);
+    second.send(SIGINT);
+    const Outcome told = first.finish(), ended = second.finish();
+    EXPECT_EQ(0, told.status) << told.out << told.err;
+    EXPECT_THAT(told.out + told.err,
+                HasSubstr("the ROS node /n has been shut down, because another node took its name"));
+    EXPECT_EQ(0, ended.status) << ended.out << ended.err;
+    EXPECT_THAT(ended.out + ended.err, testing::Not(HasSubstr("shut down")));
+}
+
 TEST_F(RosNodeProgram, EndsInTimeWithCallsThatWait) {
     RosMaster master;
     std::string script = kWaiting;

@@ -23,6 +23,7 @@ inline const std::string kPrefix = ROS_NODE_PREFIX;
 inline void useToolchain() {
     setenv("ROS_PACKAGE_PATH", (kPrefix + "/share").c_str(), 1);
     setenv("CMAKE_PREFIX_PATH", kPrefix.c_str(), 1);
+    setenv("PYTHONPATH", (kPrefix + "/lib/python3/dist-packages").c_str(), 1);
     setenv("OROCOS_TARGET", OROCOS_TARGET_NAME, 1);
     unsetenv("RTT_COMPONENT_PATH");
 }

@@ -9,13 +9,16 @@
 
 namespace {
 /** The same configuration with an Updater of its own. */
-struct OwnConfig : dynamic_reconfigure_test::TestConfig {
-    OwnConfig() = default;
-    OwnConfig(const dynamic_reconfigure_test::TestConfig& other) : TestConfig(other) {}
-    static OwnConfig __getMin__() { return TestConfig::__getMin__(); }
-    static OwnConfig __getMax__() { return TestConfig::__getMax__(); }
-    static OwnConfig __getDefault__() { return TestConfig::__getDefault__(); }
+template <int Number>
+struct ConfigLikeTest : dynamic_reconfigure_test::TestConfig {
+    ConfigLikeTest() = default;
+    ConfigLikeTest(const dynamic_reconfigure_test::TestConfig& other) : TestConfig(other) {}
+    static ConfigLikeTest __getMin__() { return TestConfig::__getMin__(); }
+    static ConfigLikeTest __getMax__() { return TestConfig::__getMax__(); }
+    static ConfigLikeTest __getDefault__() { return TestConfig::__getDefault__(); }
 };
+typedef ConfigLikeTest<1> OwnConfig;
+typedef ConfigLikeTest<2> MemberConfig;
 }  // namespace
 
 namespace rtt_dynamic_reconfigure {
@@ -26,6 +29,18 @@ struct Updater<OwnConfig> {
     }
     static bool configFromProperties(OwnConfig& config, const RTT::PropertyBag& bag) {
         return getProperty<float>("power", bag, config.double_) && getProperty<int>("size", bag, config.int_);
+    }
+};
+
+/** As some packages have it: members that are not static. */
+template <>
+struct Updater<MemberConfig> {
+    virtual ~Updater() = default;
+    virtual bool propertiesFromConfig(MemberConfig& config, std::uint32_t, RTT::PropertyBag& bag) {
+        return setProperty<int>("size", bag, config.int_);
+    }
+    virtual bool configFromProperties(MemberConfig& config, const RTT::PropertyBag& bag) {
+        return getProperty<int>("size", bag, config.int_);
     }
 };
 }  // namespace rtt_dynamic_reconfigure
@@ -91,6 +106,18 @@ TEST(RosGeneratedConfig, ASpecialisedUpdaterHasItsOwnProperties) {
     ASSERT_TRUE(set("/c", a("int_", 9) + a("double_", 0.5)));
     EXPECT_EQ(7, size);
     EXPECT_EQ(0.5f, power);
+}
+
+TEST(RosGeneratedConfig, ASpecialisedUpdaterNeedNotBeStatic) {
+    const Node node;
+    RTT::TaskContext component("c");
+    int size = 2;
+    component.addProperty("size", size);
+    const boost::shared_ptr<Server<MemberConfig>> server(new Server<MemberConfig>("own", &component));
+    ASSERT_TRUE(component.provides()->addService(server));
+    ASSERT_TRUE(server->advertise("/c"));
+    ASSERT_TRUE(set("/c", a("int_", 9)));
+    EXPECT_EQ(9, size);
 }
 
 TEST(RosGeneratedConfig, PropertiesAreSetAndGotByType) {

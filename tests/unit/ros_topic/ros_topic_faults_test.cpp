@@ -74,7 +74,7 @@ TEST_F(RosTopicFaults, NamesThatAreNoneAreRefused) {
     RTT::InputPort<double> in("in");
     component.addPort(out);
     component.addPort(in);
-    for (const char* name : {"a b", "/a-b", "~", "1st", "a//~b"}) {
+    for (const char* name : {"a b", "/a-b", "~", "~/", "/", "//", "1st", "a//~b"}) {
         LogCapture log;
         EXPECT_FALSE(out.createStream(topic(name))) << name;
         EXPECT_FALSE(in.createStream(topic(name))) << name;
@@ -82,7 +82,8 @@ TEST_F(RosTopicFaults, NamesThatAreNoneAreRefused) {
     }
     LogCapture log;
     EXPECT_FALSE(in.createStream(topic("")));
-    EXPECT_THAT(log.finish(), HasSubstr("name_id is empty"));
+    EXPECT_FALSE(out.createStream(topic("~")));
+    EXPECT_THAT(log.finish(), AllOf(HasSubstr("name_id is empty"), HasSubstr("name a topic in it, such as ~x")));
     EXPECT_FALSE(in.connected());
 }
 

@@ -139,8 +139,10 @@ const Instruction* Process::loseSight(const std::string& peer) {
     return stop(Outcome::Failed, codeOf(function_).statementOf(at_));
 }
 
-const Instruction* Process::exceed() {
+const Instruction* Process::exceed(const Instruction* next) {
     rounds_ = 0;
+    // Without a limit the number of rounds, an unsigned, has wrapped.
+    if (round_limit_ == 0) return goOn(next);
     return fail("the loop went round " + std::to_string(round_limit_) +
                 " times in one step of the component, which is the limit; add a 'yield' to it");
 }

@@ -98,7 +98,7 @@ public:
     }
     /** Called at each round of a loop. */
     const Instruction* goRound(const Instruction* next) {
-        if (++rounds_ == round_limit_) return exceed();
+        if (++rounds_ == round_limit_) return exceed(next);
         return goOn(next);
     }
     const Instruction* enter(Activation& function, const Instruction* returnTo);
@@ -109,7 +109,7 @@ private:
     const Instruction* stop(Outcome outcome, const Instruction* next);
     void show(const Instruction* at);
     const Instruction* pauseAt(const Instruction* next);
-    const Instruction* exceed();
+    const Instruction* exceed(const Instruction* next);
     const Instruction* loseSight(const std::string& peer);
     const Instruction* fail(const FailedCall& call);
     const Instruction* catchFailure();
