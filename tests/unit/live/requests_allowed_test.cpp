@@ -53,7 +53,8 @@ TEST_F(RequestsTest, OperationsAreNoWayAroundOtherPermissions) {
 TEST_F(RequestsTest, OperationsSayWhetherTheClientMayCallThem) {
     const auto allowed = [this](const std::string& path) {
         std::set<std::string> names;
-        for (const auto& operation : result("show", {{"path", path}})["operations"])
+        const auto shown = result("show", {{"path", path}});
+        for (const auto& operation : shown.at("operations"))
             if (operation.at("allowed") == true) names.insert(operation.at("name").get<std::string>());
         return names;
     };

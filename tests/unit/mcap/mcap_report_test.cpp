@@ -252,7 +252,7 @@ TEST_F(Recorder, ReproducibleIsTheSameFileEachTime) {
         }
         recorder->stop();
         EXPECT_EQ(4500U, numbersOf(read(), "/Machine/speed").size());
-        EXPECT_THAT(read().allMetadata.at(0).texts, SizeIs(5));
+        EXPECT_THAT(read().allMetadata.at(0).texts, SizeIs(6));
         files.push_back(oroforge::test::readFile(directory / "run.mcap"));
     }
     EXPECT_TRUE(files[0] == files[1]);
