@@ -14,10 +14,9 @@
 #                            unnamed namespace
 #   [OWN_HEADERS]            without a precompiled header: the test is about what includes bring
 #   [SERIAL]                 never beside another test (timing, memory limits)
-#   [TOGETHER]               all cases in one process, as one test: they share what is slow to start
-#   [SHARED <pattern>]       so do only the cases of this --gtest_filter, without exclusions
-#   [APART])                 each case in its own process under sanitizers, too, where all cases of a program are else
-#                            one test: to start a process takes longer there than most cases
+#   [TOGETHER]               all cases in one process, as one test: they share what is slow to start. Under sanitizers, where
+#                            that takes longer than most cases, they do so anyway, but for those of ROS
+#   [SHARED <pattern>])      so do only the cases of this --gtest_filter, without exclusions
 #
 # oroforge_add_script_test(<name> COMMAND <word>… [LABELS …] [DEPENDS <target>…] [ENVIRONMENT …] [TIMEOUT s] [PARALLEL] [SERIAL])
 #   a test that is a command; default label unit, default time limit 120 s. PARALLEL: it keeps two processors busy.
@@ -66,7 +65,7 @@ function(_oroforge_sources_as_one name)
 endfunction()
 
 function(oroforge_add_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "NO_MAIN;AS_ONE;OWN_HEADERS;SERIAL;TOGETHER;APART" "TIMEOUT;PREFIX;SHARED"
+  cmake_parse_arguments(PARSE_ARGV 1 arg "NO_MAIN;AS_ONE;OWN_HEADERS;SERIAL;TOGETHER" "TIMEOUT;PREFIX;SHARED"
     "SOURCES;LABELS;LIBS;INCLUDES;DEFINITIONS;DEPENDS;ENVIRONMENT")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "oroforge_add_test(${name}): unknown arguments: ${arg_UNPARSED_ARGUMENTS}")
@@ -97,9 +96,10 @@ function(oroforge_add_test name)
   else()
     target_link_libraries(${name} PRIVATE ${arg_LIBS} GTest::gmock GTest::gtest GTest::gtest_main)
   endif()
+  string(REGEX MATCH "(^|;)(rtt_|PkgConfig::ROSCPP)" uses_ros "${arg_LIBS}")
   if(NOT arg_OWN_HEADERS)
     set(headers plain)
-    if("${arg_LIBS}" MATCHES "(^|;)(rtt_|PkgConfig::ROSCPP)" AND TARGET oroforge_test_headers_ros)
+    if(uses_ros AND TARGET oroforge_test_headers_ros)
       set(headers ros)
     elseif("${arg_LIBS}" MATCHES "(^|;)(orocos|rtt)-")
       set(headers runtime)
@@ -115,7 +115,8 @@ function(oroforge_add_test name)
   endif()
   set_property(GLOBAL APPEND PROPERTY OROFORGE_TEST_PROGRAMS ${name})
   _oroforge_collect_test("${arg_LABELS}" ${name})
-  if(OROFORGE_SANITIZE AND NOT arg_APART)
+  # A process is one node of ROS, which cannot begin again.
+  if(OROFORGE_SANITIZE AND NOT uses_ros)
     set(arg_TOGETHER TRUE)
     set(arg_SHARED "")
     # That of a case times ten.
