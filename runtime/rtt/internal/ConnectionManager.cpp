@@ -79,8 +79,10 @@ void ConnectionManager::disconnect() {
 template <class Which>
 bool ConnectionManager::removeIf(Which which) {
     List gone, partners;
+    bool towardsReader = false;
     {
         const GraphLock lock;
+        towardsReader = !isOfInput_;
         const auto end = std::stable_partition(connections_.begin(), connections_.end(),
                                                [&](const Connection& c) { return !which(c); });
         if (end == connections_.end()) return false;
@@ -92,8 +94,8 @@ bool ConnectionManager::removeIf(Which which) {
     }
     // Transports end their part without the lock: towards the reader from an output port, and vice versa.
     for (const Connection& c : gone)
-        if (!c.id->peer() && !c.shared) c.channel->disconnect(nullptr, !isOfInput_);
-    for (const Connection& c : partners) c.channel->disconnect(nullptr, isOfInput_);
+        if (!c.id->peer() && !c.shared) c.channel->disconnect(nullptr, towardsReader);
+    for (const Connection& c : partners) c.channel->disconnect(nullptr, !towardsReader);
     gone.clear();
     partners.clear();
     Reclaimer::collect();
