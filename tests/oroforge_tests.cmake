@@ -16,6 +16,7 @@
 #   [SERIAL]                 never beside another test (timing, memory limits)
 #   [TOGETHER]               all cases in one process, as one test: they share what is slow to start. Under sanitizers, where
 #                            that takes longer than most cases, they do so anyway, but for those of ROS
+#   [APART]                  not under sanitizers either
 #   [SHARED <pattern>])      so do only the cases of this --gtest_filter, without exclusions
 #
 # oroforge_add_script_test(<name> COMMAND <word>… [LABELS …] [DEPENDS <target>…] [ENVIRONMENT …] [TIMEOUT s] [PARALLEL] [SERIAL])
@@ -65,7 +66,7 @@ function(_oroforge_sources_as_one name)
 endfunction()
 
 function(oroforge_add_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "NO_MAIN;AS_ONE;OWN_HEADERS;SERIAL;TOGETHER" "TIMEOUT;PREFIX;SHARED"
+  cmake_parse_arguments(PARSE_ARGV 1 arg "NO_MAIN;AS_ONE;OWN_HEADERS;SERIAL;TOGETHER;APART" "TIMEOUT;PREFIX;SHARED"
     "SOURCES;LABELS;LIBS;INCLUDES;DEFINITIONS;DEPENDS;ENVIRONMENT")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "oroforge_add_test(${name}): unknown arguments: ${arg_UNPARSED_ARGUMENTS}")
@@ -116,7 +117,7 @@ function(oroforge_add_test name)
   set_property(GLOBAL APPEND PROPERTY OROFORGE_TEST_PROGRAMS ${name})
   _oroforge_collect_test("${arg_LABELS}" ${name})
   # A process is one node of ROS, which cannot begin again.
-  if(OROFORGE_SANITIZE AND NOT uses_ros)
+  if(OROFORGE_SANITIZE AND NOT uses_ros AND NOT arg_APART)
     set(arg_TOGETHER TRUE)
     set(arg_SHARED "")
     # That of a case times ten.
